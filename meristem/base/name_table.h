@@ -30,7 +30,7 @@ class NameTable {
 
   /// Returns all names, in the order in which they were added.
   const std::vector<std::string>& names() const { return names_; }
-  std::size_t size() const { return names_.size(); }
+  std::size_t size() const { return names_.size(); }  ///< number of names
 
   /// Returns the first position of a name, or nothing if the name does not exist.
   std::optional<std::size_t> find(std::string_view name) const {

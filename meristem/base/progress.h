@@ -27,7 +27,7 @@ class Progress {
   using Observer = std::function<void(std::string_view stage, double fraction)>;
 
   Progress() = default;
-  explicit Progress(Observer observer) : observer_(std::move(observer)) {}
+  explicit Progress(Observer observer) : observer_(std::move(observer)) {}  ///< calls `observer`
   /// Progress of a part of `whole`, which must outlive this object. It reports nothing and is cancelled together with
   /// the whole. For calls with their own stages that run on many threads within one stage of the whole.
   explicit Progress(const Progress* whole) : whole_(whole) {}

@@ -59,7 +59,7 @@ struct Box {
   }
   /// Returns the middle of the box, which must not be empty.
   Vec3 centre() const { return 0.5F * (low + high); }
-  Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }
+  Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }  ///< lengths of the sides
 };
 
 }  // namespace meristem

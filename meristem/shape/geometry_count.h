@@ -14,10 +14,11 @@ namespace meristem {
 /// The geometry of a mesh scene.
 struct GeometryCount {
   std::uint64_t triangles = 0;  ///< counted after instancing
-  std::uint64_t instances = 0;
-  std::uint64_t bytes = 0;  ///< memory of meshes, frames and places; a mesh counts once for each part that shows it
+  std::uint64_t instances = 0;  ///< of meshes
+  std::uint64_t bytes = 0;      ///< memory of meshes, frames and places; a mesh counts once for each part that shows it
 };
 
+/// Counts the geometry of a scene.
 GeometryCount count_geometry(const MeshScene& scene);
 
 /// Counts the geometry that make_mesh_scene would make of a plant at level 0. Tubes are only planned. Each closed body

@@ -191,7 +191,11 @@ void bind_progress(py::module_& module) {
 
 Use it for one call at a time. `callback`, if given, is called with the stage (a str) and its finished share in [0, 1],
 whenever the share has grown by a hundredth. It is called from other threads than the caller's thread. An exception of
-`callback` cancels the call, and the call raises it.)")
+`callback` cancels the call, and the call raises it.
+
+    progress = meristem.Progress(lambda stage, share: print(f"{stage} {share:.0%}"))
+    plant = meristem.read("tulip").grow(progress=progress)
+    assert not progress.cancelled)")
       .def(py::init<py::object>(), py::arg("callback") = py::none())
       .def(
           "cancel", [](const WatchPointer& w) { w->cancel(); },

@@ -256,7 +256,11 @@ void bind_dataset(py::module_& module) {
 
 `content` is the dict of a plan's JSON, or the JSON text itself. `file` names the plan in messages, and documents are
 searched in its folder. `documents`, Document objects by their names, replace the documents of the plan. Raises
-InputError with all faults.)")
+InputError with all faults.
+
+    plan = meristem.DatasetPlan({"meristem_dataset": 1, "name": "Tulips", "documents": ["tulip"], "seeds": 3,
+                                 "files": [".glb"], "measures": ["height"]})
+    assert len(plan) == 3 and plan.plant(2)["seed"] == 3)")
       .def(py::init(&plan_of), py::arg("content"), py::kw_only(), py::arg("file") = "<python>",
            py::arg("documents") = py::dict())
       .def("__len__", [](const PlanPointer& plan) { return plan->plan.count(); })

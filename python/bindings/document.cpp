@@ -337,7 +337,14 @@ void bind_document(py::module_& module) {
 `content` is the dict of a document's JSON, or the JSON text itself. It may contain numpy numbers, and tuples or arrays
 as lists. Files that it names are searched in the folder of `file`, or in the current folder. `set` sets values by their
 paths, as in set(). `seed` (0 to 2^53) replaces the document's seed. With a `root`, the document cannot read files
-outside that folder. Ctrl-C stops the reading. Raises InputError with all faults.)")
+outside that folder. Ctrl-C stops the reading. Raises InputError with all faults.
+
+    tulip = meristem.Document({
+        "meristem": 1,
+        "variables": {"tall": {"value": 0.3, "min": 0.1, "max": 1}},
+        "components": {"stem": {"type": "tree", "length": "tall", "radius": 0.004}},
+    })
+    assert tulip.set({"tall": 0.5}).grow().measure()["height"] > tulip.grow().measure()["height"])")
       .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
            py::arg("seed") = py::none(), py::arg("root") = "")
       .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),

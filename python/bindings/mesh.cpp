@@ -89,7 +89,10 @@ void bind_mesh(py::module_& module) {
 
 Arrays are read-only views of the mesh's own memory, and stay valid as long as they are kept. The constructor copies
 `positions` (n, 3) metres and `triangles` (m, 3) indices. Raises TypeError for wrong types, ValueError for wrong shapes
-and indices.)")
+and indices.
+
+    square = meristem.Mesh([[0, 0, 0], [0, 0, 1], [1, 0, 1], [1, 0, 0]], [[0, 1, 2], [0, 2, 3]])
+    assert square.area == 1  # square metres)")
       .def(py::init(&make_mesh), py::arg("positions"), py::arg("triangles"))
       .def_property_readonly(
           "positions", [](const MeshPointer& m) { return rows_view<float>(m, m->positions); },

@@ -406,7 +406,11 @@ void save_picture(const PlantPointer& plant, const py::object& path, const std::
 void bind_parts(py::module_& module) {
   py::class_<Organs>(module, "Organs", R"(The organs of a plant: leaves, fruits, petals.
 
-Columns are read-only arrays over the plant's own memory, one entry per organ.)")
+Columns are read-only arrays over the plant's own memory, one entry per organ.
+
+    organs = meristem.read("tulip").grow().organs
+    petals = organs.position[organs.component == "tepal"]  # (k, 3), metres
+    assert len(petals) and petals[:, 1].min() > 0)")
       .def("__len__", [](const Organs& o) { return o.rows().size(); })
       .def_property_readonly(
           "frame",
@@ -502,7 +506,11 @@ void bind_plant(py::module_& module) {
   py::class_<PlantInPython, PlantPointer>(module, "Plant", R"(A grown document: skeletons, organs and their meshes.
 
 Document.grow() makes it. It never changes. Arrays over its memory keep it alive. Meshes and their pictures are made on
-first use, which raises InputError if a limit is exceeded.)")
+first use, which raises InputError if a limit is exceeded.
+
+    plant = meristem.read("tulip", seed=2).grow()
+    plant.save("tulip.glb")
+    print(plant.measure()["height"], "m,", plant.triangle_count, "triangles"))")
       .def_property_readonly(
           "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
           "The Document that has grown.")

@@ -306,7 +306,13 @@ InputError with all faults.
 
 Each query takes all its positions at once, as arrays in metres. `threads` bounds the threads (0: all cores). `progress`
 is a Progress or a function of stage and fraction. Queries raise TypeError for wrong types, ValueError for wrong shapes
-and values, and Cancelled.)");
+and values, and Cancelled.
+
+    scene = meristem.Scene({"latitude": 50, "sun": {"day": 172, "every_hours": 1}, "sky": 0.3,
+                            "obstacles": [{"box": [[1, 0, -1], [2, 3, 1]]}]})
+    light = scene.light_at([[0.8, 0.5, 0], [-5, 0.5, 0]])
+    assert light[0] < light[1]
+    assert scene.inside([[1.5, 1, 0]]).all())");
   scene.def(py::init(&make_scene), py::arg("values") = py::none(), py::kw_only(), py::arg("file") = "");
   bind_light(scene);
   bind_obstacles(scene);

@@ -327,7 +327,13 @@ Edits change only the necessary parts of the text, and can be undone. A faulty t
 and growth then belong to the last text without faults. Growing makes only what has changed. `content`, `file`, `set`
 and `seed` are as in Document. If `content` is a Document, the session has its original text, with edits for the values
 of set(). With a `root`, no file outside this folder is read. Ctrl-C stops every call that reads the text, without any
-change. Only one thread may call a session at a time; calls of other threads raise RuntimeError.)");
+change. Only one thread may call a session at a time; calls of other threads raise RuntimeError.
+
+    session = meristem.Session.open("tulip")
+    session.set("description", "A tulip by the gate.")
+    plant = session.grow()
+    session.undo()
+    assert session.undo_count == 0 and session.is_good)");
   session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
               py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");
   bind_edits(session);

@@ -188,7 +188,12 @@ Columns are read-only arrays over the skeleton's own memory, one entry per node.
 kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for
 roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), by default determined from the thickest
 children; `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types,
-ValueError for wrong shapes and values.)")
+ValueError for wrong shapes and values.
+
+    fork = meristem.Skeleton([-1, 0, 1, 1], [[0, 0, 0], [0, 1, 0], [-0.5, 2, 0], [0.5, 2, 0]],
+                             radius=[0.03, 0.03, 0.01, 0.01])
+    lengths = np.linalg.norm(fork.position[1:] - fork.position[fork.parent[1:]], axis=1)
+    assert abs(lengths.sum() - fork.measure()["length"]) < 1e-5)")
       .def(py::init(&make_skeleton), py::arg("parent"), py::arg("position"), py::kw_only(),
            py::arg("radius") = py::none(), py::arg("axis") = py::none(), py::arg("order") = py::none(),
            py::arg("birth") = py::none(), py::arg("extra") = py::none())

@@ -144,7 +144,11 @@ void bind_trace(py::module_& module) {
 
 Steps count from 1; step 0 is before growth. `step` is by default the step of the plant. Columns are read-only arrays,
 one row per point, way or marker, with the id of the grown `component`. Plants of other documents have rows at each of
-their places, with ids such as "oak.tree".)")
+their places, with ids such as "oak.tree".
+
+    trace = meristem.read("oak", set={"age": 8}).grow(trace=True).trace
+    for step in range(0, trace.steps, 20):
+        print(step, sum(len(skeleton) for skeleton in trace.skeletons(step)), "nodes"))")
       .def_property_readonly(
           "steps", [](const Trace& trace) { return trace.all().last_step; }, "Steps that growth took.")
       .def_property_readonly(

@@ -151,7 +151,10 @@ void bind_word(py::module_& module) {
   py::class_<WordInPython, WordPointer>(module, "Word",
                                         R"(The derived word of a grammar: modules, each a letter and its parameters.
 
-str(word) is its text. Two words are equal if they have equal symbols and parameters, even from different grammars.)")
+str(word) is its text. Two words are equal if they have equal symbols and parameters, even from different grammars.
+
+    word = meristem.derive("#axiom A\n#rules\nA -> F[+A]A", 2)
+    assert str(word) == "F[+F[+A]A]F[+A]A")")
       .def("__len__", [](const WordPointer& w) { return w->word.module_count(); })
       .def("__str__", &text_of_word,
            "Its text, such as 'A(1,0.5)[+B]'. Numbers have the fewest digits that identify them.")

@@ -28,9 +28,16 @@ Values = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class BatchResult:
-    """One plant of a batch."""
+    """One plant of a batch.
 
-    seed: int
+    batch() yields it:
+
+        results = meristem.batch(meristem.read("tulip"), seeds=range(3), measure="height", processes=1)
+        for result in results:
+            print(result.seed, result.result["height"])
+    """
+
+    seed: int  #: seed of the plant
     values: dict[str, Any]  #: values by path, from `grid` or `samples`, without the values of `set`
     result: Any  #: a dict of measures, or the result of the function
 

@@ -11,5 +11,5 @@ class Change(NamedTuple):
     count in the text before the whole list, in rising order.
     """
 
-    patch: list[tuple[int, int, str]]
+    patch: list[tuple[int, int, str]]  #: makes the step
     inverse: list[tuple[int, int, str]]  #: restores the earlier bytes

@@ -11,6 +11,7 @@ from ._change import Change
 from ._errors import Diagnostic
 from ._variable import Variable
 
+#: The version of the library, such as "0.1.0".
 __version__: str
 #: The first digits of the git commit that was built; empty if the source tree had no git.
 __commit__: str

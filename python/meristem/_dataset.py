@@ -60,9 +60,16 @@ class _Job:
 
 @dataclass(frozen=True)
 class Dataset:
-    """A complete data set in a folder."""
+    """A complete data set in a folder.
 
-    folder: Path
+    dataset() and open_dataset() return it:
+
+        plan = {"meristem_dataset": 1, "name": "Tulips", "seeds": 3, "files": [".mtg"], "measures": ["height"]}
+        data = meristem.dataset("tulip", plan, "tulips", processes=1)
+        print(data.plants, "plants, the highest", data.table()["height"].max(), "m")
+    """
+
+    folder: Path  #: folder of the manifest and of all files
     plants: int  #: number of all plants, including failed plants
     found: int  #: number of plants that existed before the call
     faults: tuple[str, ...]  #: faults that were found and repaired: one line each, the first hundred

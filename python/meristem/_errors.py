@@ -17,7 +17,7 @@ class Diagnostic:
     nearest: str  #: the nearest valid name, or empty
     path: str  #: its document path, such as "components.leaf.length", or empty
     file: str  #: the file, or empty
-    line: int  #: 
+    line: int  #: line in the file, from 1; 0 if unknown
     column: int  #: in characters from 1; 0 if unknown
     text: str  #: the whole diagnostic in one line
 

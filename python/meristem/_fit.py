@@ -44,7 +44,7 @@ Minimizer = Callable[[Callable[[Any], float], "list[tuple[float, float]]"], Any]
 class FitPoint:
     """A set of values that was tried, and its result."""
 
-    values: dict[str, float | int]
+    values: dict[str, float | int]  #: the values that were tried, by variable
     error: float  #: root of the weighted mean square of all targets' errors; infinite if growth failed
     measures: dict[str, float]  #: means over the seeds
     errors: dict[str, float]  #: error of each target, in its scale: positive if the measure is too large
@@ -55,7 +55,7 @@ class FitPoint:
 class FitProgress:
     """The progress of a fit."""
 
-    growths: int
+    growths: int  #: number of plants that have grown
     total: int  #: largest number of growths
     error: float  #: error of the best values so far
     values: dict[str, float | int]  #: the best values so far; empty before the first growth
@@ -68,10 +68,17 @@ class FitProgress:
 
 @dataclass(frozen=True)
 class FitResult:
-    """The best values that a fit has found."""
+    """The best values that a fit has found.
 
-    values: dict[str, float | int]
-    error: float
+    fit() returns it:
+
+        tulip = meristem.read("tulip")
+        found = meristem.fit(tulip, {"stem_length": (0.2, 0.6)}, {"height": 0.45}, growths=20, processes=1)
+        print(found.values, "with an error of", found.error)
+    """
+
+    values: dict[str, float | int]  #: the best values, by variable
+    error: float  #: error of the best values; see FitPoint
     measures: dict[str, float]  #: measures of the plants with these values, means over the seeds
     errors: dict[str, float]  #: error of each target; see FitPoint
     history: list[FitPoint]  #: all sets of values that were tried, in order

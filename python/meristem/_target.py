@@ -14,7 +14,13 @@ Wanted = Union[float, Tuple[float, float]]
 
 @dataclass(frozen=True)
 class Target:
-    """The target of one measure, for fit()."""
+    """The target of one measure, for fit().
+
+    For example, for a height and for the length of all axes:
+
+        height = meristem.Target((8, 9))                        # metres: any height in this band is as good
+        length = meristem.Target(120, scale=10, weight=0.5)     # an error of 10 m counts as 1, half as important
+    """
 
     value: Wanted  #: a number, or a band (low, high), within which all numbers are equally good
     scale: float | None = None

@@ -11,11 +11,11 @@ class Variable:
     Variables that are not `private` are the handles that a document offers to its users.
     """
 
-    name: str
-    value: float
-    min: float  #: smallest and largest sensible value; values beyond them are not refused
-    max: float
-    unit: str
-    doc: str
+    name: str  #: name in expressions and in Document.set()
+    value: float  #: present value
+    min: float  #: smallest sensible value; smaller values are not refused
+    max: float  #: largest sensible value; larger values are not refused
+    unit: str  #: unit for readers, such as "m"; may be empty
+    doc: str  #: what the variable changes, in one sentence; may be empty
     expression: str | None = None  #: formula of the value, such as "2 + 0.1*age"; None for plain numbers
     private: bool = False  #: true: no handle, but a name for a value that several expressions share

@@ -3,6 +3,8 @@
 
     from meristem import grass
 
+    x, y = [0, 0.02, 0.10, 0.25], [0, 0.15, 0.30, 0.36]  # a digitised midrib, metres
+    s, r = [0, 0.5, 1], [0.9, 1, 0]                      # widths along the blade
     fitted = grass.fit_leaf(x, y, s, r)
     young = grass.aged(fitted.leaf, grass.MidribFamily(fitted.leaf), 0.6)
     mesh = grass.make_grass_blade(grass.reduced(young, pieces=12), twist=40)

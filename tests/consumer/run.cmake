@@ -18,6 +18,7 @@ run("grow a document" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_document ${
 run("edit a document" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./edit_document ${MODELS}/oak.json)
 run("grow into points" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_points)
 run("grow a component of one's own" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./own_component)
+run("run the examples of the reference" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./examples)
 # The starter project of plug-ins: built as its page says, listed and grown by the installed program, and refused where
 # it is none.
 run("configure the plug-in" ${CMAKE_COMMAND} -S ${PLUGIN} -B ${WORK}/plugin -G ${GENERATOR}

@@ -36,7 +36,7 @@ class Alphabet {
   /// Returns kNoLetter if the letter does not exist.
   LetterIndex find(std::string_view symbol, std::uint16_t arity) const;
 
-  std::size_t size() const { return letters_.size(); }
+  std::size_t size() const { return letters_.size(); }  ///< number of letters
   /// Returns the letter with this index, which must exist.
   const Letter& operator[](LetterIndex letter) const { return letters_[letter]; }
 

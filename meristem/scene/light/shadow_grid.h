@@ -96,8 +96,8 @@ class ShadowGrid {
   Vec3 brighter_way(Vec3 position) const;
 
   const ShadowParameters& form() const { return form_; }  ///< the parameters of the grid
-  bool empty() const { return brick_count() == 0; }
-  std::size_t bytes() const;  ///< heap memory of the shaded space
+  bool empty() const { return brick_count() == 0; }       ///< true if there is no shade
+  std::size_t bytes() const;                              ///< heap memory of the shaded space
 
  private:
   /// Bricks by position. A small hash table keeps each lookup to one memory access.

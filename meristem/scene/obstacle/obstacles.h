@@ -43,9 +43,9 @@ class Obstacles {
   /// MachineError. Takes about 300 bytes and one microsecond per triangle.
   explicit Obstacles(std::vector<Obstacle> bodies);
 
-  bool empty() const { return bodies().empty(); }
-  const std::vector<Obstacle>& bodies() const;  ///< in the order in which they were given
-  Box bounds() const;                           ///< box around all obstacles; empty without obstacles
+  bool empty() const { return bodies().empty(); }  ///< true if there are no obstacles
+  const std::vector<Obstacle>& bodies() const;     ///< in the order in which they were given
+  Box bounds() const;                              ///< box around all obstacles; empty without obstacles
 
   /// Returns true if a position is inside an obstacle. For a broken mesh, the majority of three views along x, y and z
   /// decides.

@@ -45,6 +45,7 @@ class SharedTextures {
 };
 
 constexpr std::size_t kManyOrgans = 100'000;   // number of organs from which freed memory is worth returning
+constexpr std::size_t kManyStems = 25'000;     // number of stems whose freed memory is worth returning
 constexpr std::size_t kBlocksTogether = 1024;  // number of blocks whose organs are copied in parallel and then released
 
 /// The organs of one block, while they are copied into the plant.
@@ -317,6 +318,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // index in `stems`, by stem id
   number_of_stem.reserve(count);
   std::vector<std::uint32_t> instances(batches_of_.size(), 0);
+  std::size_t given_back = 0;  // number of stems when freed memory was last returned
   const auto parent_of = [&](const EmittedStem& stem) {
     const auto found = number_of_stem.find(stem.site.stem);
     return found == number_of_stem.end() ? kNoStem : found->second;
@@ -356,7 +358,11 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
           is_kept = true;
         }
       }
-      if (own != nullptr && !is_kept) *own = std::vector<EmittedStem>();
+      if (own == nullptr || is_kept) continue;
+      *own = std::vector<EmittedStem>();
+      if (stems.size() < given_back + kManyStems) continue;
+      give_back_memory();
+      given_back = stems.size();
     }
   }
   std::vector<Stem> joined = join_stems(std::move(stems));

@@ -68,6 +68,14 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
 }
 
+MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
+  // A limit on light removes points before growth.
+  if (tree.light.response.limit.share > 0 || known.varies(tree.light)) return {};
+  if (tree.points.file) return {.points = tree.crown ? 0 : static_cast<double>(tree.points.file->size())};
+  const double crowns = roots_of(tree).share_points() ? 1 : static_cast<double>(tree.roots.size());
+  return {.points = crowns * known.minimum(tree.points.count)};
+}
+
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
   check_cloud(tree.crown, tree.points, roots_of(tree).share_points() ? 1 : tree.roots.size(), "a colonize", path,
               reader);
@@ -206,6 +214,7 @@ ComponentType colonize_component() {
               .check(check_colonize),
       .expand = expand,
       .grow = grow,
+      .minimum_counts = minimum_counts,
   });
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/field.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "meristem/base/math.h"
 
 namespace meristem {
@@ -65,8 +68,11 @@ ComponentType field_component() {
       .expand = expand,
       .minimum_counts =
           [](const Field& field, const KnownMembers& known) {
-            const bool may_have_gaps = field.gaps > 0 || known.varies(field.gaps);
-            return MinimumCounts{.children = may_have_gaps ? 0.0 : 1.0 * field.rows * field.plants};
+            if (known.varies(field.gaps)) return MinimumCounts();
+            const double sites = 1.0 * field.rows * field.plants;
+            // The number of plants is binomial. Ten standard deviations below the mean are certain.
+            const double below = 10 * std::sqrt(sites * field.gaps * (1 - field.gaps));
+            return MinimumCounts{.children = std::max(0.0, std::floor((1 - field.gaps) * sites - below))};
           },
   });
 }

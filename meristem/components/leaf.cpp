@@ -29,11 +29,12 @@ struct SharedNumbers {
   double curl, curl_across, fold;
   double petiole_radius = 1;  // constant without a stalk, so that it does not distinguish shapes
 
-  SharedNumbers(const Leaf& leaf, const Emitter& out)
+  /// `varies(member)` returns true for numbers of the blade that differ between instances.
+  template <class Varies>
+  SharedNumbers(const Leaf& leaf, const Varies& varies)
       : width(to_octaves(leaf.blade.width / leaf.blade.length, kLeafProportionSteps)),
         petiole(leaf.blade.petiole / leaf.blade.length) {
     const LeafBlade& exact = leaf.blade;
-    const auto varies = [&](const double& member) { return meristem::varies(out, leaf, member); };
     const auto angle = [&](const double& member) { return varies(member) ? to_step(member, kShapeAngleStep) : member; };
     curl = angle(exact.curl);
     curl_across = angle(exact.curl_across);
@@ -62,7 +63,7 @@ LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
 
 void expand(const Leaf& leaf, const Site&, Emitter& out) {
   // Most leaves reuse an existing blade.
-  const SharedNumbers shared(leaf, out);
+  const SharedNumbers shared(leaf, [&](const double& member) { return varies(out, leaf, member); });
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
   frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * shared.width));
@@ -70,6 +71,13 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
       shape_key({shared.width, shared.curl, shared.curl_across, shared.fold, shared.petiole, shared.petiole_radius,
                  static_cast<double>(leaf.blade.rows), static_cast<double>(leaf.blade.across)});
   out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
+}
+
+/// If leaves differ, each row has at least half of a quad.
+double minimum_triangles(const Leaf& leaf, const KnownMembers& known) {
+  if (known.varies(leaf.blade)) return leaf.blade.edge == LeafBlade::Edge::shape ? leaf.blade.rows : 2;
+  const SharedNumbers shared(leaf, [](const double&) { return false; });
+  return static_cast<double>(make_leaf_blade(shared_blade(leaf.blade, shared)).triangle_count());
 }
 
 void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {
@@ -200,6 +208,7 @@ ComponentType leaf_component() {
                         .check(check_leaf),
       .expand = expand,
       .texture_shape = [](const Leaf& leaf) { return leaf_texture_shape(leaf.blade); },
+      .minimum_triangles = minimum_triangles,
   });
 }
 

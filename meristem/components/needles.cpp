@@ -101,6 +101,10 @@ ComponentType needles_component() {
               .integer("variants", &Needles::variants, {.min = 1, .max = 64, .fixed = true},
                        "Number of different shoots that the instances share; raised, more variety and more geometry."),
       .expand = expand,
+      .minimum_triangles =
+          [](const Needles& needles, const KnownMembers&) {
+            return 1.0 * needles.shoot.count * needles.shoot.fascicle * (needles.shoot.sides == 2 ? 2 : 3);
+          },
   });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -253,17 +254,32 @@ class Spaced {
   std::unordered_map<std::uint64_t, std::vector<glm::dvec2>> squares_;
 };
 
-std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const Emitter& out) {
+/// Returns the minimum distance of two sites, metres.
+double distance_of(const PlantedArea& area) {
+  return area.distance.value_or(area.density > 0 ? kShareOfGrid / std::sqrt(area.density) : 0);
+}
+
+/// Returns the bounding box of an area: the lower corner, and the size.
+std::pair<glm::dvec2, glm::dvec2> box_of(const PlantedArea& area) {
   glm::dvec2 low(area.polygon[0]), high(area.polygon[0]);
   for (const Vec2 corner : area.polygon) {
     low = glm::min(low, glm::dvec2(corner));
     high = glm::max(high, glm::dvec2(corner));
   }
-  const glm::dvec2 size = high - low;
+  return {low, high - low};
+}
+
+/// Returns the share of the bounding box that lies in the area.
+double filled_share(const PlantedArea& area) {
+  const glm::dvec2 size = box_of(area).second;
+  return doubled_area(area.polygon) / 2 / (size.x * size.y);
+}
+
+std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const Emitter& out) {
+  const auto [low, size] = box_of(area);
   const double wanted = sites_of(area);
-  const double filled = doubled_area(area.polygon) / 2 / (size.x * size.y);
-  const auto throws = static_cast<std::uint64_t>(std::min(kThrows * wanted / filled, kMostThrows));
-  Spaced spaced(area.distance.value_or(area.density > 0 ? kShareOfGrid / std::sqrt(area.density) : 0));
+  const auto throws = static_cast<std::uint64_t>(std::min(kThrows * wanted / filled_share(area), kMostThrows));
+  Spaced spaced(distance_of(area));
   std::vector<Place> all;
   for (std::uint64_t k = 0; k < throws && static_cast<double>(all.size()) < wanted; ++k) {
     if (k % 4096 == 0) out.progress().check();
@@ -342,6 +358,35 @@ void expand(const Places& places, const Site& site, Emitter& out) {
   }
 }
 
+/// Returns the number of sites of an area that are certain to be found, except by an unlikely chance. As long as the
+/// circles around the sites cover less than half of the area, every second point within it is a site.
+double fewest_sites(const PlantedArea& area) {
+  const double wanted = sites_of(area), distance = distance_of(area), surface = doubled_area(area.polygon) / 2;
+  const double free = distance > 0 ? std::floor(surface / (2 * kPi * distance * distance)) : wanted;
+  const double found = std::min(kThrows * wanted, kMostThrows * filled_share(area)) / 4;
+  return std::min({wanted, free, std::floor(found)});
+}
+
+MinimumCounts minimum_counts(const Places& places, const KnownMembers& known) {
+  if (places.size.varying || known.varies(places.size)) return {};  // sizes may be 0
+  MinimumCounts counts{.child_scale = places.size.plain};
+  if (!places.table) {
+    counts.shuns_obstacles = true;
+    counts.children = places.area ? fewest_sites(*places.area) : sites_of(*places.line);
+    return counts;
+  }
+  const TextTable& table = places.table->table;
+  counts.children = static_cast<double>(table.row_count());
+  if (places.table->scale != nullptr && table.row_count() > 0) {
+    counts.child_scale *= std::ranges::min(places.table->scale->numbers);
+  }
+  const TextTable::Column* const chosen = places.choose.empty() ? nullptr : table.find(places.choose);
+  if (chosen == nullptr) return counts;
+  counts.named.resize(chosen->distinct.size());
+  for (const std::uint32_t text : chosen->texts) ++counts.named[text];
+  return counts;
+}
+
 }  // namespace
 
 ComponentType places_component() {
@@ -379,6 +424,7 @@ ComponentType places_component() {
       .expand = expand,
       .placed = placed,
       .gives = gives,
+      .minimum_counts = minimum_counts,
   });
 }
 

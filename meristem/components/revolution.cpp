@@ -71,6 +71,10 @@ ComponentType revolution_component() {
                                 "plane, the low-poly look.")
                         .check(check_silhouette),
       .expand = expand,
+      .minimum_triangles =
+          [](const Revolution& component, const KnownMembers&) {
+            return static_cast<double>(make_revolution(component.body).triangle_count());
+          },
   });
 }
 

@@ -78,6 +78,12 @@ void expand(const Simple& simple, const Site&, Emitter& out) {
   out.child_site(top, simple.size.y, 0.5F * simple.size.x);
 }
 
+double minimum_triangles(const Simple& simple, const KnownMembers& known) {
+  if (is_section(simple.shape) || simple.shape == Simple::Shape::none) return 0;
+  const int segments = std::max(3, static_cast<int>(known.minimum(simple.segments)));
+  return static_cast<double>(make_unit_shape(static_cast<UnitShape>(simple.shape), segments).triangle_count());
+}
+
 void check_outline(const Simple& simple, const DocumentPath& path, ParameterReader& reader) {
   if (simple.outline.empty()) return;
   const DocumentPath outline(path, "outline");
@@ -125,6 +131,7 @@ ComponentType simple_component() {
               .check(check_outline),
       .expand = expand,
       .minimum_counts = [](const Simple&, const KnownMembers&) { return MinimumCounts{.children = 1}; },
+      .minimum_triangles = minimum_triangles,
   });
 }
 

@@ -96,6 +96,10 @@ ComponentType skeleton_component() {
               .without(names_off_stems(), kWhyOffStems)
               .prepare(prepare),
       .expand = expand,
+      .minimum_counts =
+          [](const SkeletonFromFile& plant, const KnownMembers&) {
+            return MinimumCounts{.nodes = static_cast<double>(plant.skeleton->node_count())};
+          },
   });
 }
 

@@ -100,7 +100,8 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
   if (&now != &document) return grow_document(now, progress, options);
   GrownDocument grown;
   grown.plant = placing_faults(document, [&] {
-    const ExpandOptions expansion{options.cache, options.view, &grown.traces};
+    const bool will_mesh = options.up_to >= GrownPart::meshes && options.detail.level == 0;
+    const ExpandOptions expansion{options.cache, options.view, &grown.traces, will_mesh};
     return expand(document.graph, document.scene, options.time, progress, expansion);
   });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);

@@ -241,11 +241,20 @@ TEST_F(Garden, ReadsNothingOutsideOfItsRoot) {
 }
 
 TEST_F(Garden, RejectsMoreVariantsThanMayBe) {
-  const std::string found = fault(R"j("row": {"type": "field", "rows": 40, "plants": 40},
-                                     "oak": {"type": "document", "file": "twig.json"})j",
-                                  R"j([["row", "oak"]])j");
-  EXPECT_NE(found.find("more than 1000 different plants"), std::string::npos) << found;
-  EXPECT_NE(found.find("variants"), std::string::npos) << found;
+  const auto with = [&](const std::string& rows) {
+    return fault(R"j("row": {"type": "field", "rows": 40, "plants": 40},
+                     "oak": {"type": "document", "file": "twig.json")j" +
+                     rows + "}",
+                 R"j([["row", "oak"]])j");
+  };
+  for (const char* rows : {"", R"(, "seed": "i")", R"(, "variants": 1000000)"}) {
+    const std::string found = with(rows);
+    const bool is_before_growth = rows[0] == 0;
+    EXPECT_NE(found.find(is_before_growth ? "1600 different plants" : "more than 1000 different plants"),
+              std::string::npos)
+        << found;
+    EXPECT_NE(found.find("variants"), std::string::npos) << found;
+  }
 }
 
 // Tables of places.

@@ -81,25 +81,37 @@ std::optional<std::uint64_t> hash_of(const Site& site) {
   return packed.hash();
 }
 
-std::optional<std::uint64_t> hash_of(const std::vector<Site>& sites) {
+std::optional<std::uint64_t> hash_of(const SiteList& sites) {
   std::vector<std::uint64_t> hashes(sites.size());
   std::atomic<bool> is_known{true};
   parallel_for(sites.size(), kHashedTogether, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::optional<std::uint64_t> hash = hash_of(sites[k]);
+    std::size_t k = begin;
+    sites.read(begin, end, [&](const Site& site) {
+      const std::optional<std::uint64_t> hash = hash_of(site);
       if (hash)
-        hashes[k] = *hash;
+        hashes[k++] = *hash;
       else
         is_known = false;
-    }
+    });
   });
   return is_known ? std::optional(hash_of_numbers(hashes)) : std::nullopt;
+}
+
+void BatchResult::release_sites() {
+  has_sites = false;
+  for (Emitted& block : blocks) {
+    block.child_sites = SiteList();
+    block.branch_sites = SiteList();
+    block.named_sites = SiteList();
+    block.site_names = std::vector<std::uint32_t>();  // assigning {} would keep the memory
+  }
 }
 
 std::uint64_t BatchResult::bytes() const {
   std::uint64_t sum = bytes_without_sites();
   for (const Emitted& block : blocks) {
-    sum += bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites);
+    sum +=
+        block.child_sites.bytes() + block.branch_sites.bytes() + block.named_sites.bytes() + bytes_of(block.site_names);
   }
   return sum;
 }
@@ -107,11 +119,11 @@ std::uint64_t BatchResult::bytes() const {
 std::uint64_t BatchResult::bytes_without_sites() const {
   std::uint64_t sum = bytes_of(blocks);
   for (const Emitted& block : blocks) {
-    sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
+    sum += bytes_of(block.prototypes) + block.organs.bytes() + bytes_of(block.sections) + bytes_of(block.stems) +
            bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += stem.skeleton.bytes() + (stem.moved ? stem.moved->bytes() : 0) + bytes_of(stem.root_of_node) +
-             (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
+      sum += stem.skeleton.bytes() + (stem.moved != nullptr ? sizeof(Skeleton) + stem.moved->bytes() : 0) +
+             bytes_of(stem.root_of_node) + (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
     }
   }
   return sum;

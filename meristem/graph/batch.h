@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/graph/emitter.h"
+#include "meristem/graph/site_list.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/grow/growth_trace.h"
 #include "meristem/plant/skeleton.h"
@@ -19,16 +20,16 @@ namespace meristem {
 inline constexpr std::size_t kBlock = 256;
 
 struct Sites {
-  std::vector<Site> sites;
+  SiteList sites;
   std::optional<std::uint64_t> hash{};  ///< hash of the sites; unset if it is unknown or not needed
 
-  std::uint64_t bytes() const { return sites.capacity() * sizeof(Site); }
+  std::uint64_t bytes() const { return sites.bytes(); }
 };
 
 /// Returns a hash of every field, or nothing if the hash of the surroundings is unknown.
 std::optional<std::uint64_t> hash_of(const Site& site);
 /// Returns a hash of all sites. It is equal on any number of threads.
-std::optional<std::uint64_t> hash_of(const std::vector<Site>& sites);
+std::optional<std::uint64_t> hash_of(const SiteList& sites);
 
 /// The results of the instances of one batch, block by block.
 struct BatchResult {
@@ -36,7 +37,10 @@ struct BatchResult {
   std::uint64_t nodes = 0;    ///< number of nodes of all stems
   std::uint64_t offered = 0;  ///< sites for children
   int growth_steps = 0;       ///< largest number of growth steps of an instance, if known
+  bool has_sites = true;      ///< false: the sites for children were released, because the cache keeps the children's
 
+  /// Frees the sites for children. Call it when they are not needed again.
+  void release_sites();
   std::uint64_t bytes() const;
   /// Returns the heap memory, bytes, without the sites for children. limits.instances limits the sites, and without a
   /// cache they are freed early.

@@ -47,17 +47,15 @@ std::vector<Batch> BatchQueue::take_growing() {
 
 Batch BatchQueue::children(const Batch& parent, LinkIndex link, std::shared_ptr<const Sites> places) {
   Batch children{.component = graph_.links[link].to, .places = std::move(places), .way = way_onward(parent, link)};
-  if (parent.way != nullptr) parent.way->offered += children.sites().size();
+  if (parent.way != nullptr) parent.way->offered += children.count();
   return children;
 }
 
 void BatchQueue::add(Batch children) {
-  const std::span<const Site> sites = children.sites();
-  if (sites.empty()) return;
+  if (children.count() == 0) return;
   const bool grows = static_cast<bool>(graph_.components[children.component].type->grow);
   if (grows && children.way != nullptr) {
-    std::vector<Site>& waiting = children.way->waiting;
-    waiting.insert(waiting.end(), sites.begin(), sites.end());
+    children.read([&](const Site& site) { children.way->waiting.add(site); });
   } else if (grows) {
     growing_.push_back(std::move(children));
   } else if (in_slices_) {
@@ -72,7 +70,7 @@ void BatchQueue::finish(const Batch& batch, std::shared_ptr<const BatchResult> r
   added_.clear();
   std::vector<FinishedBatch>& results = batch.way != nullptr ? batch.way->made : results_;
   results.push_back({batch.component, std::move(result), own});
-  if (batch.way != nullptr) batch.way->sites += batch.sites().size();
+  if (batch.way != nullptr) batch.way->sites += batch.count();
 }
 
 std::vector<FinishedBatch> BatchQueue::take_results() { return std::exchange(results_, {}); }
@@ -102,6 +100,7 @@ void BatchQueue::gather_ways() {
       if (onward->waiting.empty()) {
         ahead.push_back(onward);
       } else {
+        onward->waiting.pack();
         growing_.push_back({onward->component, std::make_shared<Sites>(Sites{std::move(onward->waiting)})});
       }
     }

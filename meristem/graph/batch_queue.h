@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,7 +26,13 @@ struct Batch {
   std::size_t begin = 0;                 ///< index of the first site in `places`
   std::size_t end = places == nullptr ? 0 : places->sites.size();
 
-  std::span<const Site> sites() const { return std::span(places->sites).subspan(begin, end - begin); }
+  std::size_t count() const { return end - begin; }                       ///< number of instances
+  Site site(std::size_t k) const { return places->sites.at(begin + k); }  ///< site of the k-th instance
+  /// Calls `receive(site)` for the sites of all instances in their order.
+  template <class Receive>
+  void read(const Receive& receive) const {
+    places->sites.read(begin, end, receive);
+  }
 };
 
 /// The result of one batch.
@@ -42,7 +47,7 @@ struct Way {
   ComponentIndex component = 0;
   std::vector<FinishedBatch> made{};                 ///< in the order of the instances
   std::vector<std::pair<LinkIndex, Way*>> onward{};  ///< in the order of the links
-  std::vector<Site> waiting{};                       ///< sites of instances that grow
+  SiteList waiting{};                                ///< sites of instances that grow
   std::size_t sites = 0;                             ///< number of sites expanded so far
   std::size_t offered = 0;                           ///< number of sites for the children of these
 };

@@ -132,6 +132,8 @@ struct ComponentType : ComponentTraits {
   std::function<GivenNames(const void* parameters)> gives;
   /// Returns the minimum counts of each instance. Null if nothing is known.
   std::function<MinimumCounts(const void* parameters, const KnownMembers& known)> minimum_counts;
+  /// Returns the minimum number of triangles of each visible instance. Null if nothing is known.
+  std::function<double(const void* parameters, const KnownMembers& known)> minimum_triangles;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Returns true if it shows the growth of the component that it shows. Null if it never does.
@@ -200,6 +202,9 @@ struct ComponentDefinition {
   /// Returns the minimum counts of each instance, so that too many instances are refused before any is made.
   /// `parameters` has plain values; its members that differ from instance to instance must not be used (see `known`).
   MinimumCounts (*minimum_counts)(const P& parameters, const KnownMembers& known) = nullptr;
+  /// Returns the minimum number of triangles of each visible instance at full detail, as `minimum_counts` does. May
+  /// take as long as making one instance's mesh.
+  double (*minimum_triangles)(const P& parameters, const KnownMembers& known) = nullptr;
 };
 
 /// Makes a component type from a definition. Adds the rows that all components have.
@@ -265,6 +270,12 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   if (definition.minimum_counts != nullptr) {
     type.minimum_counts = [counts = definition.minimum_counts](const void* parameters, const KnownMembers& known) {
       return counts(*static_cast<const P*>(parameters), known);
+    };
+  }
+  if (definition.minimum_triangles != nullptr) {
+    type.minimum_triangles = [triangles = definition.minimum_triangles](const void* parameters,
+                                                                        const KnownMembers& known) {
+      return triangles(*static_cast<const P*>(parameters), known);
     };
   }
   if (definition.texture_shape != nullptr) {

@@ -132,67 +132,81 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
 void Emitter::end_instance() {
   if (!has_child_sites_) child_site(Frame{});
   if (context_->wants_branch_sites && !context_->prototype.type->makes_stems && branch_sites.size() == first_branch_) {
-    branch_sites.insert(branch_sites.end(), child_sites.begin() + static_cast<std::ptrdiff_t>(first_child_),
-                        child_sites.end());
+    child_sites.read(first_child_, child_sites.size(), [&](const Site& site) { branch_sites.add(site); });
   }
-  if (!context_->wants_child_sites) child_sites.resize(first_child_);
+  if (!context_->wants_child_sites) child_sites.truncate(first_child_);
   if (section_ != 0) {
-    for (std::size_t k = first_child_; k < child_sites.size(); ++k) {
-      child_sites[k].section = section_;
-      child_sites[k].surface = site_.surface;
-    }
+    child_sites.change(first_child_, [&](Site& site) {
+      site.section = section_;
+      site.surface = site_.surface;
+      return true;
+    });
   }
-  const auto number = [](std::vector<Site>& sites, std::size_t first) {
-    const auto count = static_cast<std::uint32_t>(sites.size() - first);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      sites[first + k].i = k;
-      if (sites[first + k].n != kCutOff) sites[first + k].n = count;
-    }
-    const auto begin = sites.begin() + static_cast<std::ptrdiff_t>(first);
-    sites.erase(std::remove_if(begin, sites.end(), [](const Site& site) { return site.n == kCutOff; }), sites.end());
-  };
-  number(child_sites, first_child_);
-  number(branch_sites, first_branch_);
-  if (parts_ != nullptr) {
-    // In components with ribs the count is for the ribs, and there is one child at the tip.
-    if (!context_->prototype.type->has_ribs) tell_parts(child_sites, first_child_);
-    tell_parts(branch_sites, first_branch_);
-  }
+  if (parts_ != nullptr) keyed_parts_ = keys_of_parts();
+  // In components with ribs the count is for the ribs, and there is one child at the tip.
+  finish_sites(child_sites, first_child_, parts_ != nullptr && !context_->prototype.type->has_ribs);
+  finish_sites(branch_sites, first_branch_, parts_ != nullptr);
   number_named_sites();
+  for (SiteList* const sites : {&child_sites, &branch_sites, &named_sites}) sites->pack_chunks();
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
-/// Sets for sites of a count when each part appears, and the size of the last part.
-void Emitter::tell_parts(std::vector<Site>& sites, std::size_t first) const {
+/// Numbers the instance's sites and removes the sites that were cut off.
+void Emitter::finish_sites(SiteList& sites, std::size_t first, bool has_parts) {
+  const auto count = static_cast<std::uint32_t>(sites.size() - first);
+  std::uint32_t k = 0;
+  sites.change(first, [&](Site& site) {
+    site.i = k++;
+    if (site.n == kCutOff) return false;
+    site.n = count;
+    if (has_parts) tell_part(site);
+    return true;
+  });
+}
+
+/// Returns the keys of the count of parts that the instance has announced, or null if it has no keys.
+const Varying* Emitter::keys_of_parts() const {
   const auto offset = reinterpret_cast<const std::byte*>(parts_) - reinterpret_cast<const std::byte*>(base_);
   const auto is_its = [&](const Varying& varying) {
     return varying.way.empty() && varying.offset == static_cast<std::size_t>(offset) && varying.keys != nullptr;
   };
   const auto keyed = std::ranges::find_if(context_->prototype.varyings, is_its);
-  const auto last = static_cast<float>(parts_->last());
-  for (std::size_t k = first; k < sites.size(); ++k) {
-    Site& site = sites[k];
-    site.part = last;
-    if (site.i + 1 == site.n && last < 1) site.frame.axes *= last;
-    if (keyed == context_->prototype.varyings.end() || keyed->expression) continue;
-    const double appeared = keyed->keys->first.since(site.i + 1.0, time());
-    site.appeared = std::max(site_.appeared, appeared);
-  }
+  return keyed == context_->prototype.varyings.end() || keyed->expression ? nullptr : &*keyed;
 }
 
-/// Numbers the named sites. Each name is counted separately.
+/// Sets when the part at a site of a count appears, and the size of the last part.
+void Emitter::tell_part(Site& site) const {
+  const auto last = static_cast<float>(parts_->last());
+  site.part = last;
+  if (site.i + 1 == site.n && last < 1) site.frame.axes *= last;
+  if (keyed_parts_ == nullptr) return;
+  const double appeared = keyed_parts_->keys->first.since(site.i + 1.0, time());
+  site.appeared = std::max(site_.appeared, appeared);
+}
+
+/// Numbers the named sites and removes the sites that were cut off. Each name is counted separately.
 void Emitter::number_named_sites() {
-  std::unordered_map<std::uint32_t, std::uint32_t> count;
-  for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
-    named_sites[k].second.i = count[named_sites[k].first]++;
-  }
-  const auto begin = named_sites.begin() + static_cast<std::ptrdiff_t>(first_named_);
-  named_sites.erase(
-      std::remove_if(begin, named_sites.end(), [](const auto& named) { return named.second.n == kCutOff; }),
-      named_sites.end());
-  for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
-    named_sites[k].second.n = count[named_sites[k].first];
-  }
+  if (named_sites.size() == first_named_) return;
+  std::unordered_map<std::uint32_t, std::uint32_t> count, number;
+  for (std::size_t k = first_named_; k < site_names.size(); ++k) ++count[site_names[k]];
+  std::size_t kept = first_named_, next = first_named_;
+  named_sites.change(first_named_, [&](Site& site) {
+    const std::uint32_t name = site_names[next++];
+    site.i = number[name]++;
+    if (site.n == kCutOff) return false;
+    site.n = count[name];
+    site_names[kept++] = name;
+    return true;
+  });
+  site_names.resize(kept);
+}
+
+Emitted Emitter::take() {
+  organs.pack();
+  child_sites.pack();
+  branch_sites.pack();
+  named_sites.pack();
+  return std::move(static_cast<Emitted&>(*this));
 }
 
 void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
@@ -208,7 +222,7 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
   note_deformation();
-  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual(), next_name()});
+  organs.add({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual(), next_name()});
 }
 
 /// Records the deformation of the following organs if it differs from the previous one.
@@ -237,7 +251,7 @@ void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> sourc
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
   if (!to_named && child_sites.size() == first_child_) return;  // no link uses it
-  Site& site = to_named ? named_sites.back().second : child_sites.back();
+  Site& site = to_named ? named_sites.back() : child_sites.back();
   const std::vector<std::uint32_t>& slots = context_->prototype.given_slots;
   if (slots.empty()) return;  // the graph has no names for the numbers
   assert(numbers.size() == slots.size());
@@ -251,7 +265,7 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
 
 void Emitter::from_row(std::uint32_t row, bool is_named) {
   if (!is_named && child_sites.size() == first_child_) return;  // no link uses it
-  Site& site = is_named ? named_sites.back().second : child_sites.back();
+  Site& site = is_named ? named_sites.back() : child_sites.back();
   site.row = row;
 }
 
@@ -368,16 +382,23 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
     branching_ = std::make_shared<const Placement>(*branching);
   }
   EmittedStem& stem =
-      stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
+      stems.emplace_back(EmittedStem{std::move(skeleton), shared_surface(surface), branching_, site_, visible_, tint_});
   stem.trimmed = std::move(trimmed);
   stem.growing = std::move(growing);
-  if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_individual()) tell_roots_apart(stem);
   if (is_placed_ && visible_) {
-    stem.moved = stem.skeleton;
-    stem.moved_scale = move_geometry(*stem.moved, site_.frame, geometry_frame_);
+    auto moved = std::make_unique<Skeleton>(stem.skeleton);
+    stem.moved_scale = move_geometry(*moved, site_.frame, geometry_frame_);
+    stem.moved = std::move(moved);
   }
+}
+
+/// Returns a surface with its crown in world space. Stems with equal surfaces share it.
+std::shared_ptr<const Surface> Emitter::shared_surface(Surface surface) {
+  if (surface.crown) surface.crown->scale(glm::length(site_.frame.heading()));
+  if (surface_ == nullptr || !(*surface_ == surface)) surface_ = std::make_shared<const Surface>(surface);
+  return surface_;
 }
 
 /// Makes each root of a plant's first stem a plant of its own. Parts that stand on no root belong to the first one.
@@ -463,7 +484,8 @@ void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, flo
 
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
   if (++uncounted_ == kCountedTogether) count_sites();
-  Site& site = named_sites.emplace_back(name, site_).second;
+  site_names.push_back(name);
+  Site& site = named_sites.add(site_);
   site.frame = frame;
   site.u = 1;
   site.length = length;
@@ -475,7 +497,7 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
 
 void Emitter::born(double step) {
   if (!grows_in_time() || !stands_as_grown_) return;
-  Site& site = named_sites.back().second;
+  Site& site = named_sites.back();
   site.birth = static_cast<float>(step);
   site.appeared = step / *animation().steps_per_second;
 }
@@ -497,9 +519,9 @@ void Emitter::put_on_stem(StemPosition whole, Site& site) const {
   site.individual = stem.individual_at(left->node);
 }
 
-void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {
+void Emitter::add_site(SiteList& sites, const Frame& frame, float u, float length, float radius) {
   if (++uncounted_ == kCountedTogether) count_sites();
-  Site& site = sites.emplace_back(site_);
+  Site& site = sites.add(site_);
   site.frame = frame;
   site.u = u;
   site.length = length;

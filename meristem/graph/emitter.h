@@ -16,7 +16,9 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/animation.h"
+#include "meristem/graph/organ_list.h"
 #include "meristem/graph/placement.h"
+#include "meristem/graph/site_list.h"
 #include "meristem/graph/table/count.h"
 #include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
@@ -38,14 +40,14 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 /// A stem, with the facts that its children need.
 struct EmittedStem {
   Skeleton skeleton;                           ///< the grown skeleton, world space
-  Surface surface;                             ///< surface options
+  std::shared_ptr<const Surface> surface;      ///< surface options, never null
   std::shared_ptr<const Placement> branching;  ///< placement of its branches, for keys that links do not give; may be
                                                ///< null
-  Site site;                      ///< site of the instance that made the stem, with a key of the stem's own
-  bool visible = true;            ///< false: only its children are visible
-  Vec3 tint{1};                   ///< linear factors on the material's colour
-  std::optional<Skeleton> moved;  ///< visible skeleton if `place` moves it
-  float moved_scale = 1;          ///< size of the moved skeleton relative to the original
+  Site site;                                ///< site of the instance that made the stem, with a key of the stem's own
+  bool visible = true;                      ///< false: only its children are visible
+  Vec3 tint{1};                             ///< linear factors on the material's colour
+  std::unique_ptr<const Skeleton> moved{};  ///< visible skeleton if `place` moves it; else null
+  float moved_scale = 1;                    ///< size of the moved skeleton relative to the original
   /// Number of the root on which each node stands, if each root is a plant of its own. Else empty.
   std::vector<std::uint32_t> root_of_node{};
   std::shared_ptr<const TrimmedStem> trimmed{};  ///< the whole stem, if `skeleton` is its trimmed rest; null: not
@@ -108,15 +110,16 @@ struct Emitted {
     std::shared_ptr<const Deformation> deformation;  ///< null: not deformed
   };
   std::vector<EmittedPrototype> prototypes;  ///< meshes that organs share
-  std::vector<Organ> organs;               ///< organs; their prototypes and individuals are numbered within this block
+  OrganList organs;                        ///< organs; their prototypes and individuals are numbered within this block
   std::vector<DeformedFrom> deformed;      ///< empty if no organ is deformed
   std::vector<Founded> founded;            ///< plants that begin with instances of the block
   std::vector<std::uint64_t> individuals;  ///< ids of the plants to which organs belong
   std::vector<EmittedSection> sections;    ///< sections of surfaces
   std::vector<EmittedStem> stems;          ///< stems, in the order in which they were emitted
-  std::vector<Site> child_sites;           ///< with the key and depth of the parent
-  std::vector<Site> branch_sites;          ///< sites for the children of branch links
-  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
+  SiteList child_sites;                    ///< with the key and depth of the parent
+  SiteList branch_sites;                   ///< sites for the children of branch links
+  SiteList named_sites;                    ///< sites for components that the instances place
+  std::vector<std::uint32_t> site_names;   ///< number of the name of each named site
   /// A whole plant of another document.
   struct PlacedPlant {
     Frame frame;                                       ///< from the plant's world to the world
@@ -273,15 +276,17 @@ class Emitter : private Emitted {
   void set_watched(std::shared_ptr<const GrowthTrace> watched) { watched_ = std::move(watched); }
 
   /// Returns everything that was emitted. Must be called once per emitter.
-  Emitted take() { return std::move(static_cast<Emitted&>(*this)); }
+  Emitted take();
 
  private:
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
+  void finish_sites(SiteList& sites, std::size_t first, bool has_parts);
   void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
   void note_deformation();
   void number_named_sites();
-  void tell_parts(std::vector<Site>& sites, std::size_t first) const;
+  const Varying* keys_of_parts() const;
+  void tell_part(Site& site) const;
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);
   void offer_child(const Frame& frame, float length, float radius);
@@ -291,7 +296,8 @@ class Emitter : private Emitted {
                                                   double pipe_exponent) const;
   std::uint32_t number_of_individual();
   std::uint64_t next_name() { return site_.key.child("organ").child(organs_of_instance_++).bits(); }
-  void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
+  void add_site(SiteList& sites, const Frame& frame, float u, float length, float radius);
+  std::shared_ptr<const Surface> shared_surface(Surface surface);
   void count_sites();
   [[noreturn]] void throw_too_many_children() const;
   void count_nodes(std::uint64_t more);
@@ -315,16 +321,18 @@ class Emitter : private Emitted {
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
   std::uint32_t organs_of_instance_ = 0;
-  std::uint64_t uncounted_ = 0;   // number of sites that are not yet in the context's count
-  const Count* parts_ = nullptr;  // the present instance's count of parts, if it has announced one
-  std::uint64_t expected_ = 0;    // the present instance's number of children, if it has announced it
+  std::uint64_t uncounted_ = 0;           // number of sites that are not yet in the context's count
+  const Varying* keyed_parts_ = nullptr;  // keys of the present instance's count of parts, or null
+  const Count* parts_ = nullptr;          // the present instance's count of parts, if it has announced one
+  std::uint64_t expected_ = 0;            // the present instance's number of children, if it has announced it
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
   std::shared_ptr<const GrowthTrace> watched_;
   std::shared_ptr<const Placement>
-      branching_;  // placement of the stem emitted last, since most stems have an equal one
+      branching_;                           // placement of the stem emitted last, since most stems have an equal one
+  std::shared_ptr<const Surface> surface_;  // surface of the stem emitted last, since most stems have an equal one
 };
 
 }  // namespace meristem

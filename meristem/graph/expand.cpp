@@ -62,6 +62,7 @@ class Expansion {
         assembly_(graph),
         view_(options.view),
         traces_(options.traces),
+        will_mesh_(options.will_mesh),
         results_(options.cache, {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes),
                                  typeid(PlantVariant), typeid(PlacedGrowth)}),
         is_sliced_(options.cache == nullptr),
@@ -124,11 +125,13 @@ class Expansion {
 
  private:
   void walk() {
-    require_bounded_counts(graph_, scene_);
+    require_bounded_counts(graph_, scene_, will_mesh_);
     surroundings_ = fingerprint_of_surroundings();
     Site root;
     root.key = RandomKey(graph_.seed);
-    Batch first{graph_.structure.root, places_of(variables_.draw(graph_.structure.root, {root}))};
+    SiteList roots;
+    roots.add(root);
+    Batch first{graph_.structure.root, places_of(variables_.draw(graph_.structure.root, std::move(roots)))};
     if (tree_) first.numbers = note_instances(first, {1}, {kNoIndex}, kNoIndex);
     made_[first.component] = 1;
     queue_.begin(std::move(first), is_sliced_);
@@ -194,7 +197,7 @@ class Expansion {
     return wish;
   }
 
-  std::shared_ptr<const Sites> places_of(std::vector<Site> sites) const {
+  std::shared_ptr<const Sites> places_of(SiteList sites) const {
     auto places = std::make_shared<Sites>();
     places->sites = std::move(sites);
     if (surroundings_) places->hash = hash_of(places->sites);
@@ -226,15 +229,15 @@ class Expansion {
     for (std::size_t k = 0; k < batches.size(); ++k) {
       if (graph_.components[batches[k].component].id != prototype.shown) continue;
       for (std::size_t s = 0; s < all[k].batch->traces.size(); ++s) {
-        by_key.emplace(batches[k].sites()[s].key.bits(), all[k].batch->traces[s]);
+        by_key.emplace(batches[k].site(s).key.bits(), all[k].batch->traces[s]);
       }
       if (grown.key && all[k].key) grown.key = Fingerprint().add(*grown.key).add(*all[k].key).hash();
       if (!all[k].key) grown.key.reset();
     }
-    for (const Site& site : batch.sites()) {
+    batch.read([&](const Site& site) {
       const auto found = by_key.find(site.key.bits());
       grown.watched.push_back(found == by_key.end() ? nullptr : found->second);
-    }
+    });
   }
 
   bool grows_alone(const Batch& batch) const {
@@ -280,7 +283,7 @@ class Expansion {
 
     Stand stand;
     for (const Batch& batch : batches) {
-      for (const Site& site : batch.sites()) plant(batch.component, site, stand);
+      batch.read([&](const Site& site) { plant(batch.component, site, stand); });
     }
     stand.grow(progress_);
     std::vector<std::unique_ptr<GrowthTrace>> traces = stand.take_traces(progress_);
@@ -288,7 +291,7 @@ class Expansion {
     auto next = std::make_move_iterator(skeletons.begin());
     auto trace = std::make_move_iterator(traces.begin());
     for (std::size_t k = 0; k < batches.size(); ++k) {
-      const auto size = static_cast<std::ptrdiff_t>(batches[k].sites().size());
+      const auto size = static_cast<std::ptrdiff_t>(batches[k].count());
       grown[k].batch = std::make_shared<GrownBatch>(GrownBatch{{next, next + size}, {trace, trace + size}});
       results_.store(grown[k].key, grown[k].batch);
       next += size;
@@ -304,13 +307,13 @@ class Expansion {
     count<GrownBatch>(grown.batch != nullptr, batch);
     if (grown.batch != nullptr) return grown;
     grown.batch = std::make_shared<GrownBatch>();
-    for (const Site& site : batch.sites()) {
+    batch.read([&](const Site& site) {
       Stand stand;
       plant(batch.component, site, stand);
       stand.grow(progress_);
       grown.batch->traces.push_back(std::move(stand.take_traces(progress_)[0]));
       grown.batch->skeletons.push_back(std::move(stand.take_skeletons(progress_)[0]));
-    }
+    });
     results_.store(grown.key, grown.batch);
     return grown;
   }
@@ -330,15 +333,16 @@ class Expansion {
 
   template <class Result>
   void count(bool is_reused, const Batch& batch) {
-    results_.count<Result>(is_reused, batch.sites().size());
+    results_.count<Result>(is_reused, batch.count());
   }
 
   /// Expands the instances, or reuses their earlier result, and passes their sites on along the links.
   void expand_batch(const Batch& batch, const Grown& grown) {
-    const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.sites()[0]);
+    const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.site(0));
     const CacheKey key = key_of(batch, links, grown);
     std::shared_ptr<BatchResult> own;
     std::shared_ptr<const BatchResult> result = find_result(batch.component, key);
+    if (result != nullptr && !result->has_sites && !has_children_of(links, key, instances_)) result = nullptr;
     count<BatchResult>(result != nullptr, batch);
     if (result == nullptr) {
       own = make_result(batch, links, grown);
@@ -351,20 +355,32 @@ class Expansion {
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
     memory_.add(graph_.components[batch.component].id, *result);
-    for (const LinkIndex link : links) follow(link, batch, key, *result);
+    const std::uint64_t before = instances_;
+    for (const LinkIndex link : links) {
+      const bool is_last = !key && link == links.back();
+      follow(link, batch, key, *result, is_last ? own.get() : nullptr);
+    }
+    // A result in the cache needs its sites only if the cache lacks children of one of its links.
+    if (own != nullptr && (!key || has_children_of(links, key, before))) own->release_sites();
     if (key) own.reset();  // the cache owns it
-    if (own != nullptr) release_sites(*own);
     queue_.finish(batch, std::move(result), own.get());
   }
 
-  /// Frees the sites of a result that is in no cache. Nobody needs them once its links have been followed.
-  static void release_sites(BatchResult& result) {
-    for (Emitted& block : result.blocks) {
-      // Assigning {} would keep the memory.
-      block.child_sites = std::vector<Site>();
-      block.branch_sites = std::vector<Site>();
-      block.named_sites = std::vector<std::pair<std::uint32_t, Site>>();
-    }
+  /// Returns the key of the children by a link of a batch with this key.
+  CacheKey key_of_children(LinkIndex link, CacheKey parent) const {
+    const CacheKey own = links_.fingerprint(link);
+    if (!parent || !own) return std::nullopt;
+    return Fingerprint().add(*parent).add(*own).add(variables_.hash(graph_.links[link].to)).hash();
+  }
+
+  /// Returns true if the cache has the children of a batch by all these links, and if they stay within the limit.
+  /// `instances` is the number of instances before.
+  bool has_children_of(const std::vector<LinkIndex>& links, CacheKey parent, std::uint64_t instances) {
+    return std::ranges::all_of(links, [&](LinkIndex link) {
+      const std::shared_ptr<const Sites> places = results_.find<const Sites>(key_of_children(link, parent));
+      if (places != nullptr) instances += places->sites.size();
+      return places != nullptr && instances <= graph_.limits.instances;
+    });
   }
 
   /// Passes on what was recorded of a batch's growth.
@@ -440,7 +456,7 @@ class Expansion {
             .limits = graph_.limits,
             .meshes = meshes,
             .multiplier = links_.multiplier(batch.component, links),
-            .together = batch.sites().size(),
+            .together = batch.count(),
             .time = time_,
             .animation = graph_.animation ? &*graph_.animation : nullptr,
             .growth_step = step_of(prototype),
@@ -457,23 +473,22 @@ class Expansion {
   /// Expands the instances of a batch in parallel blocks.
   std::shared_ptr<BatchResult> make_result(const Batch& batch, const std::vector<LinkIndex>& links,
                                            const Grown& grown) {
-    const std::span<const Site> sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
     EmitterContext context = context_of(batch, links);
     // A single instance may report its own stages. For several instances, only their number is reported.
     Progress part(&progress_);
-    context.progress = sites.size() == 1 ? &progress_ : &part;
+    context.progress = batch.count() == 1 ? &progress_ : &part;
     const std::size_t block = grown.batch == nullptr && !tree_ ? kBlock : 1;
     auto result = std::make_shared<BatchResult>();
-    result->blocks.resize((sites.size() + block - 1) / block);
-    progress_.begin("expanding", sites.size());
-    parallel_for(sites.size(), block, [&](std::size_t begin, std::size_t end) {
+    result->blocks.resize((batch.count() + block - 1) / block);
+    progress_.begin("expanding", batch.count());
+    parallel_for(batch.count(), block, [&](std::size_t begin, std::size_t end) {
       Emitter emitter(context);
       if (grown.batch != nullptr) emitter.set_grown(skeleton_of(grown, begin, step_of(prototype), *context.progress));
       if (!grown.watched.empty()) emitter.set_watched(grown.watched[begin]);
-      prototype.type->expand(prototype, sites.subspan(begin, end - begin), emitter);
-      Emitted& emitted = result->blocks[begin / block] = emitter.take();
-      if (emitted.organs.capacity() > emitted.organs.size() + emitted.organs.size() / 8) emitted.organs.shrink_to_fit();
+      const std::vector<Site> sites = batch.places->sites.copy(batch.begin + begin, batch.begin + end);
+      prototype.type->expand(prototype, sites, emitter);
+      result->blocks[begin / block] = emitter.take();
       progress_.advance(end - begin);
     });
     for (const Emitted& emitted : result->blocks) {
@@ -513,7 +528,7 @@ class Expansion {
       if (const auto* made = graph_.links[link].as<PlacedLink>()) is_there[made->name] = true;
     }
     for (const Emitted& block : result.blocks) {
-      for (const auto& [name, site] : block.named_sites) {
+      for (const std::uint32_t name : block.site_names) {
         if (is_there[name]) continue;
         throw InputError(Diagnostic{
             .message = fmt::format("'{}' places '{}', and there is no such component", prototype.id, placed[name].id),
@@ -523,22 +538,20 @@ class Expansion {
     }
   }
 
-  /// Adds the batch of the children by one link.
-  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
-    const CacheKey own = links_.fingerprint(link);
+  /// Adds the batch of the children by one link. `own` is the result if its sites are not needed again, else null.
+  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result, BatchResult* own) {
     const ComponentIndex to = graph_.links[link].to;
-    const CacheKey key =
-        parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).add(variables_.hash(to)).hash()) : std::nullopt;
+    const CacheKey key = key_of_children(link, parent);
     std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
     std::vector<std::size_t> per_parent;
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-      places = places_of(variables_.draw(
-          to, links_.places(link, result, {instances_, batch.sites().size(), made_}, tree_ ? &per_parent : nullptr)));
+      const LinkSites::Counts before{instances_, batch.count(), made_};
+      places = places_of(variables_.draw(to, links_.places(link, result, before, tree_ ? &per_parent : nullptr, own)));
       results_.store(key, places);
     }
     Batch children = queue_.children(batch, link, std::move(places));
-    instances_ += children.sites().size();
-    made_[to] += children.sites().size();
+    instances_ += children.count();
+    made_[to] += children.count();
     if (clocks_ && graph_.components[batch.component].type->begins_clock) note_clocks(batch.component, children);
     if (tree_) children.numbers = note_instances(children, per_parent, batch.numbers, link);
     queue_.add(std::move(children));
@@ -546,31 +559,34 @@ class Expansion {
 
   /// Records the clocks that a component has begun for its children.
   void note_clocks(ComponentIndex component, const Batch& children) {
-    const Clock* last = nullptr;
-    for (const Site& site : children.sites()) {
-      const bool is_new = last == nullptr || last->start != site.clock.start || last->speed != site.clock.speed;
-      last = &site.clock;
+    std::optional<Clock> last;
+    children.read([&](const Site& site) {
+      const bool is_new = !last || last->start != site.clock.start || last->speed != site.clock.speed;
+      last = site.clock;
       if (is_new && std::isfinite(site.clock.start)) clocks_->push_back({component, site.clock});
-    }
+    });
   }
 
   /// Adds the batch's instances to the tree, `per_parent[k]` of them below the k-th parent. Returns their numbers.
   std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
                                             const std::vector<std::uint32_t>& parents, LinkIndex link) {
     std::vector<InstanceTree::Instance>& all = tree_->instances;
-    if (all.size() + batch.sites().size() > most_) {
+    if (all.size() + batch.count() > most_) {
       throw InputError(Diagnostic{.message = fmt::format("there are more than {} instances", most_),
                                   .expected = "a smaller plant, or a greater number of instances that are drawn",
                                   .path = "components." + graph_.components[batch.component].id});
     }
     std::vector<std::uint32_t> numbers;
-    for (std::size_t parent = 0; parent < per_parent.size(); ++parent) {
-      for (std::size_t k = 0; k < per_parent[parent]; ++k) {
-        const Site& site = batch.sites()[numbers.size()];
-        numbers.push_back(static_cast<std::uint32_t>(all.size()));
-        all.push_back({batch.component, parents[parent], link, site.i, site.n});
+    std::size_t parent = 0, of_parent = 0;
+    batch.read([&](const Site& site) {
+      while (of_parent == per_parent[parent]) {
+        ++parent;
+        of_parent = 0;
       }
-    }
+      ++of_parent;
+      numbers.push_back(static_cast<std::uint32_t>(all.size()));
+      all.push_back({batch.component, parents[parent], link, site.i, site.n});
+    });
     return numbers;
   }
 
@@ -585,10 +601,9 @@ class Expansion {
       if (wish_->of == InstanceWish::Of::organ) return block.organs.size();
       return static_cast<std::uint64_t>(std::ranges::count_if(block.stems, &EmittedStem::visible));
     };
-    const std::span<const Site> sites = batch.sites();
     if (wish_->of == InstanceWish::Of::instance) {
-      if (wish_->number - passed_ < sites.size()) found_ = described(prototype, sites[wish_->number - passed_]);
-      passed_ += sites.size();
+      if (wish_->number - passed_ < batch.count()) found_ = described(prototype, batch.site(wish_->number - passed_));
+      passed_ += batch.count();
       return;
     }
     const std::size_t size = prototype.type->grow ? 1 : kBlock;
@@ -598,14 +613,15 @@ class Expansion {
         passed_ += made;
         continue;
       }
-      const auto of_block = std::span(sites).subspan(k * size, std::min(size, sites.size() - k * size));
+      const std::size_t first = batch.begin + k * size;
+      const std::vector<Site> of_block = batch.places->sites.copy(first, std::min(first + size, batch.end));
       const Site* site = of_block.size() == 1 ? of_block.data() : nullptr;
       // A block does not store which instance made a part, so each instance is expanded alone.
       EmitterContext context = context_of(batch, links);
       context.progress = &progress_;
       for (std::size_t s = 0; s < of_block.size() && site == nullptr; ++s) {
         Emitter emitter(context);
-        prototype.type->expand(prototype, of_block.subspan(s, 1), emitter);
+        prototype.type->expand(prototype, std::span(of_block).subspan(s, 1), emitter);
         const std::uint64_t own = count(emitter.take());
         if (passed_ + own > wish_->number) site = &of_block[s];
         passed_ += own;
@@ -617,8 +633,9 @@ class Expansion {
 
   void count_instances(const Batch& batch) {
     const ComponentBase& base = graph_.components[batch.component].base();
-    const auto is_there = [&](const Site& site) { return !is_left_out(base, site, time_); };
-    counts_[batch.component] += static_cast<std::uint64_t>(std::ranges::count_if(batch.sites(), is_there));
+    batch.read([&](const Site& site) {
+      if (!is_left_out(base, site, time_)) ++counts_[batch.component];
+    });
   }
 
   FoundInstance described(const Prototype& prototype, const Site& site) const {
@@ -643,6 +660,7 @@ class Expansion {
   PlantAssembly assembly_;
   GrowthView view_;
   GrowthTraces* traces_ = nullptr;
+  bool will_mesh_ = false;
   std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // number of instances so far
   CacheRun results_;
   CacheKey surroundings_;

@@ -27,6 +27,9 @@ struct ExpandOptions {
   Cache* cache = nullptr;          ///< results of earlier expansions; null: nothing is reused
   GrowthView view;                 ///< the step of growth that is shown
   GrowthTraces* traces = nullptr;  ///< receives the records that `view` requests; null: nothing is recorded
+  /// True: all surfaces will be meshed at full detail, so a graph that is certain to exceed limits.triangles is
+  /// refused.
+  bool will_mesh = false;
 };
 
 /// Expands a graph as above, with the plants shown as `options.view` requests. Recording does not change the plant's

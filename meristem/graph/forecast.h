@@ -21,15 +21,18 @@ struct CountShare {
   std::string largest;   ///< id of the component
   double share = 0;      ///< the component's share of the total
   std::uint64_t limit = 0;
-  std::string_view limit_name;
+  std::string_view limit_name;  ///< "instances" for limits.instances
+  std::string expected{};       ///< text instead of the limit; empty: the limit and its name
 };
 
 /// Returns the fault, for example "2.1e+08 instances, of which leaf 1.9e+08 (90 %), are too many".
 Diagnostic share_diagnostic(const CountShare& share);
 
-/// Throws one InputError with each limit (limits.instances, limits.nodes) that an expansion of the graph will certainly
-/// exceed. Each message names the total and the component with the largest share. Counts only what is known before
-/// growth (ComponentType::minimum_counts), so a refused graph would fail in any case. Takes less than a second.
-void require_bounded_counts(const Graph& graph, const Scene& scene);
+/// Throws one InputError with each limit that an expansion of the graph is certain to exceed. Counts instances, nodes,
+/// the attraction points of plants that grow together, and different plants of other documents. If `will_mesh` is true,
+/// counts triangles, too. Each message names the total and the component with the largest share. Counts only what is
+/// known before growth (ComponentType::minimum_counts and minimum_triangles), so a refused graph would fail in any
+/// case. Takes less than a second.
+void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_mesh);
 
 }  // namespace meristem

@@ -23,7 +23,6 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostVariants = 1000;
 constexpr std::uint64_t kMostPlants =
     10'000;  // counts the plants within plants, too; each takes at least some tens of kilobytes
 
@@ -126,7 +125,7 @@ class PlantingGrower {
       const std::uint64_t growth_key =
           Fingerprint().add(key_of(plant, {})).add(wish_.bits()).add_text(id(component)).hash();
       wanted_.push_back({&plant, component, key, growth_key});
-      if (wanted_.size() > kMostVariants) throw_too_many(component);
+      if (wanted_.size() > kMaxVariants) throw_too_many(component);
     }
     const auto [place, is_first] =
         planting_of_.try_emplace({component, known->second, plant.deformation.get()}, plantings_.size());
@@ -139,9 +138,9 @@ class PlantingGrower {
 
   [[noreturn]] void throw_too_many(ComponentIndex component) const {
     throw InputError(
-        Diagnostic{.message = fmt::format("there are more than {} different plants of other documents", kMostVariants),
+        Diagnostic{.message = fmt::format("there are more than {} different plants of other documents", kMaxVariants),
                    .expected = fmt::format("at most {}: \"variants\" in '{}', or rounded values in its \"set\"",
-                                           kMostVariants, id(component)),
+                                           kMaxVariants, id(component)),
                    .path = "components." + id(component)});
   }
 

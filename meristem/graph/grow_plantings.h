@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "meristem/plant/planting.h"
 
 namespace meristem {
+
+/// Maximum number of different plants of other documents.
+inline constexpr std::uint64_t kMaxVariants = 1000;
 
 /// A batch that has placed whole plants.
 struct PlantingBatch {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meristem/graph/graph.h"
+#include "meristem/graph/site_list.h"
 
 namespace meristem {
 
@@ -21,10 +22,11 @@ class InstanceVariables {
   /// Returns a hash of the definitions of a component's variables.
   std::uint64_t hash(ComponentIndex component) const;
   /// Returns the sites with the variables that each instance of the component draws.
-  std::vector<Site> draw(ComponentIndex component, std::vector<Site> sites) const;
+  SiteList draw(ComponentIndex component, SiteList sites) const;
 
  private:
   std::span<const InstanceVariable* const> variables_of(ComponentIndex component) const;
+  void draw(const InstanceVariable& variable, std::span<Site> sites) const;
 
   const Graph& graph_;
   double time_;

@@ -63,15 +63,17 @@ class LinkSites::Writer {
         progress_(progress),
         room_(room) {}
 
-  std::vector<Site> run(const Emitted& parents) {
+  /// `own` is `parents` if its sites are not needed again, else null.
+  SiteList run(const Emitted& parents, Emitted* own) {
+    own_ = own;
     std::visit([&](const auto& kind) { add(kind, parents); }, link_.kind);
+    sites_.pack();
     return std::move(sites_);
   }
 
  private:
   void add(const ChildLink&, const Emitted& parents) {
-    sites_.reserve(parents.child_sites.size());
-    for (const Site& site : parents.child_sites) add_child(site);
+    add_children(parents, &Emitted::child_sites, [](std::size_t) { return true; });
   }
 
   void add(const BranchLink& branch, const Emitted& parents) {
@@ -80,7 +82,7 @@ class LinkSites::Writer {
       for (const EmittedStem& stem : parents.stems) add_along(stem, branch);
     }
     if (is_on_ribs || !from_.has_ribs) {
-      for (const Site& site : parents.branch_sites) add_child(site);
+      add_children(parents, &Emitted::branch_sites, [](std::size_t) { return true; });
     }
   }
 
@@ -94,9 +96,8 @@ class LinkSites::Writer {
   }
 
   void add(const PlacedLink& placed, const Emitted& parents) {
-    for (const auto& [name, site] : parents.named_sites) {
-      if (name == placed.name) add_child(site);
-    }
+    own_ = nullptr;  // other components may stand on these sites
+    add_children(parents, &Emitted::named_sites, [&](std::size_t k) { return parents.site_names[k] == placed.name; });
   }
 
   bool is_full() const { return sites_.size() > room_; }
@@ -207,8 +208,8 @@ class LinkSites::Writer {
   };
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
-    if (!stem.surface.crown || is_full()) return;
-    std::vector<Site> sites = place_in_crown(stem.skeleton, stem.surface, placement, context_of(stem), progress_);
+    if (!stem.surface->crown || is_full()) return;
+    std::vector<Site> sites = place_in_crown(stem.skeleton, *stem.surface, placement, context_of(stem), progress_);
     if (!stem.root_of_node.empty()) {
       for (Site& site : sites) site.individual = 0;  // one crown covers several plants
     }
@@ -248,8 +249,23 @@ class LinkSites::Writer {
     add_all(std::move(tips));
   }
 
+  /// Adds a child at each site of a list whose index fulfils a condition.
+  template <class Condition>
+  void add_children(const Emitted& parents, SiteList Emitted::*list, const Condition& has_child) {
+    std::size_t k = 0;
+    const auto receive = [&](const Site& site) {
+      if (has_child(k++)) add_child(site);
+    };
+    if (own_ != nullptr) {
+      (own_->*list).consume(receive);
+    } else {
+      (parents.*list).read(receive);
+    }
+  }
+
   void add_child(const Site& site) {
-    Site& child = sites_.emplace_back(site);
+    sites_.pack_chunks();
+    Site& child = sites_.add(site);
     child.key = child_key(site.key).child(site.i);
     const bool is_plant = from_.speaks_of_space && site.individual == site.key.bits();
     if (from_.bears_plants || is_plant) child.individual = child.key.bits();
@@ -282,8 +298,10 @@ class LinkSites::Writer {
   }
 
   void add_all(std::vector<Site> sites) {
-    for (Site& site : sites) count_depth(site);
-    sites_.insert(sites_.end(), sites.begin(), sites.end());
+    for (const Site& site : sites) {
+      sites_.pack_chunks();
+      count_depth(sites_.add(site));
+    }
   }
 
   /// Returns the key of the children. It contains the child's id, or the id of the component that the child shows.
@@ -303,8 +321,9 @@ class LinkSites::Writer {
   const ComponentType& from_;
   const Prototype& to_;
   Progress& progress_;
-  std::uint64_t room_;  // more sites than this are too many and are not computed
-  std::vector<Site> sites_;
+  std::uint64_t room_;      // more sites than this are too many and are not computed
+  Emitted* own_ = nullptr;  // the parents, if their sites are not needed again
+  SiteList sites_;
 };
 
 LinkSites::LinkSites(const Graph& graph, const Scene& scene, const Directions& directions, double time,
@@ -325,12 +344,12 @@ std::vector<LinkIndex> LinkSites::links_followed(ComponentIndex component, const
   return links;
 }
 
-std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, Counts before,
-                                    std::vector<std::size_t>* per_block) const {
+SiteList LinkSites::places(LinkIndex link, const BatchResult& parent, Counts before,
+                           std::vector<std::size_t>* per_block, BatchResult* own) const {
   const std::size_t blocks = parent.blocks.size();
   const std::uint64_t limit = graph_.limits.instances;
   const std::uint64_t room = limit - std::min(limit, before.all);
-  std::vector<std::vector<Site>> found(blocks);
+  std::vector<SiteList> found(blocks);
   std::vector<std::exception_ptr> faults(blocks);
   LeadingSum lower(blocks);
   parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
@@ -338,7 +357,8 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
     if (lower.sum() > room) return;
     Progress part(&progress_);
     try {
-      found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block]);
+      Emitted* const own_block = own != nullptr ? &own->blocks[block] : nullptr;
+      found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block], own_block);
     } catch (const InputError&) {
       faults[block] = std::current_exception();
     }
@@ -354,12 +374,9 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
     if (count > room) throw_too_many(link, count, before);
   }
   if (blocks == 1) return std::move(found[0]);
-  std::vector<Site> sites;
-  sites.reserve(count);
-  for (std::vector<Site>& of_block : found) {
-    sites.insert(sites.end(), std::move_iterator(of_block.begin()), std::move_iterator(of_block.end()));
-    of_block = std::vector<Site>();  // no site is in memory twice
-  }
+  SiteList sites;
+  for (SiteList& of_block : found) sites.append(std::move(of_block));
+  sites.pack();
   return sites;
 }
 

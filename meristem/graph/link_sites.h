@@ -34,9 +34,10 @@ class LinkSites {
 
   /// Returns the sites that a link gives its child, over all instances of the parent in their order. Throws InputError
   /// if the sites would exceed the limit of instances. `per_block`, if given, receives the number of sites for each
-  /// block of the parent's instances.
-  std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before,
-                           std::vector<std::size_t>* per_block = nullptr) const;
+  /// block of the parent's instances. `own`, if given, is the parent's result, whose sites are not needed again: they
+  /// are freed as the link is followed.
+  SiteList places(LinkIndex link, const BatchResult& parent, Counts before,
+                  std::vector<std::size_t>* per_block = nullptr, BatchResult* own = nullptr) const;
 
   /// Returns a hash of everything except the parent's result and the scene on which the sites depend, if all of it is
   /// known.

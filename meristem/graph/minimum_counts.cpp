@@ -16,9 +16,8 @@ const Varying* KnownMembers::find(const void* member, std::size_t size) const {
   return nullptr;
 }
 
-double KnownMembers::minimum(const Count& count) const {
-  const Varying* const varying = find(&count, sizeof(Count));
-  if (varying == nullptr) return std::floor(count.value);
+double KnownMembers::minimum(const Varying* varying, double plain) {
+  if (varying == nullptr) return std::floor(plain);
   if (varying->expression || varying->sample != nullptr || varying->keys != nullptr || !varying->way.empty()) return 0;
   const double least = std::clamp(std::min(varying->first, varying->last), varying->min, varying->max);
   return std::floor(least * varying->scale);

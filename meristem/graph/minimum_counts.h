@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 #include "meristem/graph/table/count.h"
 #include "meristem/graph/table/varying.h"
@@ -13,9 +14,14 @@ namespace meristem {
 /// Minimum counts of each instance of a component, for any site, random numbers and time. Smaller numbers are always
 /// valid; 0 means unknown.
 struct MinimumCounts {
-  double children = 0;       ///< sites for the children of child links
-  double child_scale = 1;    ///< scale of the smallest of these sites, relative to the frame of the instance
-  double nodes = 0;          ///< skeleton nodes
+  double children = 0;           ///< sites for the children of child links
+  double child_scale = 1;        ///< scale of the smallest of these sites, relative to the frame of the instance
+  bool shuns_obstacles = false;  ///< true: it has no sites within obstacles
+  std::vector<double> named{};   ///< sites for each component that it places itself (ComponentType::placed); empty:
+                                 ///< unknown
+  double nodes = 0;              ///< skeleton nodes
+  double points = 0;             ///< attraction points that it adds to the stand if there are no obstacles
+  bool grows_other = false;      ///< true: each instance is a plant of another document, different from all others
   bool bears_along = false;  ///< true: it has a stem on which a branch link with a `count` places that many children
 };
 
@@ -32,9 +38,16 @@ class KnownMembers {
     return find(&member, sizeof(Member)) != nullptr;
   }
   /// Returns the minimum number of parts of a count, or 0 if unknown.
-  double minimum(const Count& count) const;
+  double minimum(const Count& count) const { return minimum(find(&count, sizeof(Count)), count.value); }
+  /// Returns the minimum of a whole number, or 0 if unknown.
+  template <class Whole>
+  double minimum(const Whole& number) const {
+    static_assert(std::is_integral_v<Whole>);
+    return minimum(find(&number, sizeof(Whole)), static_cast<double>(number));
+  }
 
  private:
+  static double minimum(const Varying* varying, double plain);
   const Varying* find(const void* member, std::size_t size) const;
 
   const void* parameters_;

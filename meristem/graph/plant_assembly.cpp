@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/large_memory.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/looks.h"
 #include "meristem/plant/join_stems.h"
@@ -43,12 +44,14 @@ class SharedTextures {
   std::uint64_t pixels_ = 0;
 };
 
+constexpr std::size_t kManyOrgans = 100'000;   // number of organs from which freed memory is worth returning
+constexpr std::size_t kManyStems = 25'000;     // number of stems whose freed memory is worth returning
 constexpr std::size_t kBlocksTogether = 1024;  // number of blocks whose organs are copied in parallel and then released
 
 /// The organs of one block, while they are copied into the plant.
 struct OrgansOfBlock {
   const Emitted* block = nullptr;
-  std::vector<Organ>* own = nullptr;      // the same organs, if they may be released; else null
+  OrganList* own = nullptr;               // the same organs, if they may be released; else null
   std::vector<std::uint32_t> prototype;   // prototype in the plant, by number in the block
   std::vector<std::uint32_t> individual;  // individual in the plant, by number in the block
   std::size_t first = 0;                  // index of the block's first organ in the plant
@@ -108,6 +111,7 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) {
     for (const SurfacePiece& piece : own) organs += piece.organs.size();
   }
   plant.organs.reserve(organs);
+  if (organs >= kManyOrgans) give_back_memory();  // of sites and of other steps of the expansion
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
   SharedTextures textures;
   Rows deformed;
@@ -254,7 +258,7 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
     const Made& of_batch = batches_[batch];
     for (std::size_t b = 0; b < of_batch.result->blocks.size(); ++b) {
       const Emitted& block = of_batch.result->blocks[b];
-      std::vector<Organ>* const own = of_batch.own != nullptr ? &of_batch.own->blocks[b].organs : nullptr;
+      OrganList* const own = of_batch.own != nullptr ? &of_batch.own->blocks[b].organs : nullptr;
       OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, own, {}, {}, count});
       for (std::size_t k = 0; k < block.deformed.size(); ++k) {
         const auto& [first, deformation] = block.deformed[k];
@@ -278,14 +282,15 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
     parallel_for(last - first, 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = first + begin; k < first + end; ++k) {
         Organ* next = plant.organs.data() + blocks[k].first;
-        for (const Organ& organ : blocks[k].block->organs) {
+        blocks[k].block->organs.read([&](const Organ& organ) {
           *next = organ;
           next->individual = blocks[k].individual[organ.individual];
           next++->prototype = blocks[k].prototype[organ.prototype];
-        }
-        if (blocks[k].own != nullptr) *blocks[k].own = std::vector<Organ>();
+        });
+        if (blocks[k].own != nullptr) *blocks[k].own = OrganList();
       }
     });
+    if (plant.organs.size() >= kManyOrgans) give_back_memory();
   }
 }
 
@@ -303,7 +308,7 @@ void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t materia
 }
 
 std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component,
-                                              const Individuals& individuals) const {
+                                              const Individuals& individuals) {
   std::size_t count = 0;
   for (const Made& made : batches_) {
     for (const Emitted& block : made.result->blocks) count += block.stems.size();
@@ -313,23 +318,27 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // index in `stems`, by stem id
   number_of_stem.reserve(count);
   std::vector<std::uint32_t> instances(batches_of_.size(), 0);
+  std::size_t given_back = 0;  // number of stems when freed memory was last returned
   const auto parent_of = [&](const EmittedStem& stem) {
     const auto found = number_of_stem.find(stem.site.stem);
     return found == number_of_stem.end() ? kNoStem : found->second;
   };
   for (const Made& made : batches_) {
-    for (const Emitted& block : made.result->blocks) {
-      for (const EmittedStem& emitted : block.stems) {
+    for (std::size_t b = 0; b < made.result->blocks.size(); ++b) {
+      std::vector<EmittedStem>* const own = made.own != nullptr ? &made.own->blocks[b].stems : nullptr;
+      bool is_kept = false;  // true: a stem's skeleton is still in the block
+      for (std::size_t k = 0; k < made.result->blocks[b].stems.size(); ++k) {
+        const EmittedStem& emitted = made.result->blocks[b].stems[k];
         if (!emitted.visible) continue;
         // A stem that `place` has moved is attached to nothing.
-        const bool is_moved = emitted.moved.has_value();
+        const bool is_moved = emitted.moved != nullptr;
         LooseStem& stem = stems.emplace_back();
         stem.parent = is_moved ? kNoStem : parent_of(emitted);
         number_of_stem.emplace(emitted.id(), static_cast<std::uint32_t>(stems.size() - 1));
         stem.part = {.component = graph_.components[made.component].id,
                      .instance = instances[made.component]++,
                      .material = material_of_component[made.component],
-                     .surface = emitted.surface,
+                     .surface = *emitted.surface,
                      .tint = emitted.tint,
                      .deformation = emitted.deformation()};
         if (is_moved && stem.part.surface.crown) stem.part.surface.crown->scale(emitted.moved_scale);
@@ -341,9 +350,19 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
         }
         stem.name = emitted.id();
         if (emitted.trimmed != nullptr) stem.number_of_axis = emitted.trimmed->whole_axes();
-        // Keeps the whole batch alive, which owns the skeleton.
-        stem.skeleton = {made.result, is_moved ? &*emitted.moved : &emitted.skeleton};
+        if (own != nullptr && !is_moved) {
+          stem.skeleton = stem.own = std::make_shared<Skeleton>(std::move((*own)[k].skeleton));
+        } else {
+          // Keeps the whole batch alive, which owns the skeleton.
+          stem.skeleton = {made.result, is_moved ? emitted.moved.get() : &emitted.skeleton};
+          is_kept = true;
+        }
       }
+      if (own == nullptr || is_kept) continue;
+      *own = std::vector<EmittedStem>();
+      if (stems.size() < given_back + kManyStems) continue;
+      give_back_memory();
+      given_back = stems.size();
     }
   }
   std::vector<Stem> joined = join_stems(std::move(stems));

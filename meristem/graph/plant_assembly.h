@@ -67,7 +67,7 @@ class PlantAssembly {
   static void deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
                      Progress& progress);
   std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component,
-                                 const Individuals& individuals) const;
+                                 const Individuals& individuals);
 
   const Graph& graph_;
   std::vector<Made> batches_;

@@ -95,7 +95,11 @@ TEST(Surroundings, OfUnknownOriginMakeSitesUnknown) {
   EXPECT_TRUE(hash_of(site).has_value());
   site.surroundings = std::make_shared<const Surroundings>();
   EXPECT_FALSE(hash_of(site).has_value());
-  EXPECT_FALSE(hash_of(std::vector<Site>{Site(), site}).has_value());
+  SiteList sites;
+  sites.add(Site());
+  EXPECT_TRUE(hash_of(sites).has_value());
+  sites.add(site);
+  EXPECT_FALSE(hash_of(sites).has_value());
   Surroundings said;
   said.hash = 1;
   Site one;

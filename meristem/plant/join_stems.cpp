@@ -5,6 +5,7 @@
 #include "meristem/plant/join_stems.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -50,7 +51,7 @@ class TreeJoiner {
   TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts)
       : stems_(stems), grafts_(grafts), joints_(stems.size()) {}
 
-  Stem join(const std::vector<std::uint32_t>& members) {
+  Stem join(std::span<const std::uint32_t> members) {
     std::size_t nodes = 0;
     for (const std::uint32_t member : members) nodes += stems_[member].skeleton->node_count() + 1;
     tree_ = {};
@@ -104,6 +105,7 @@ class TreeJoiner {
       }
     }
     stem.skeleton = nullptr;
+    stem.own = nullptr;
   }
 
   NodeIndex add_node(const Skeleton& from, NodeIndex node, NodeIndex parent) {
@@ -158,17 +160,41 @@ class TreeJoiner {
   std::vector<NodeIndex> node_of_;
 };
 
+/// The stems of each tree.
+class Members {
+ public:
+  /// `root` has the first stem of the tree of each stem.
+  explicit Members(const std::vector<std::uint32_t>& root) : first_(root.size() + 1), members_(root.size()) {
+    for (const std::uint32_t tree : root) ++first_[tree + 1];
+    for (std::size_t k = 0; k < root.size(); ++k) {
+      if (first_[k + 1] > 0) ++tree_count_;
+      first_[k + 1] += first_[k];
+    }
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t k = 0; k < root.size(); ++k) members_[next[root[k]]++] = k;
+  }
+
+  std::size_t tree_count() const { return tree_count_; }
+  /// Returns the stems of the tree with this first stem, in their order.
+  std::span<const std::uint32_t> of(std::uint32_t root) const {
+    return std::span(members_).subspan(first_[root], first_[root + 1] - first_[root]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;  // begin of each tree in `members_`; one entry more than stems
+  std::vector<std::uint32_t> members_;
+  std::size_t tree_count_ = 0;
+};
+
 }  // namespace
 
 std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
   // Find the tree of each stem, and the children of each stem.
   std::vector<std::uint32_t> root(stems.size());
-  std::vector<std::vector<std::uint32_t>> members(stems.size());
   std::vector<std::vector<Graft>> grafts(stems.size());
   for (std::uint32_t k = 0; k < stems.size(); ++k) {
     const bool joins = can_join(stems[k], stems, reach);
     root[k] = joins ? root[stems[k].parent] : k;
-    members[root[k]].push_back(k);
     if (joins) grafts[stems[k].parent].push_back({stems[k].node, stems[k].along, k});
   }
   for (std::vector<Graft>& borne : grafts) {
@@ -176,22 +202,26 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
       return a.node != b.node ? a.node < b.node : a.along < b.along;
     });
   }
+  const Members members(root);
   // A stem without children stays as it is.
   std::vector<Stem> joined;
+  joined.reserve(members.tree_count());
   TreeJoiner joiner(stems, grafts);
   for (std::uint32_t k = 0; k < stems.size(); ++k) {
     if (root[k] != k) continue;
-    if (members[k].size() > 1) {
-      joined.push_back(joiner.join(members[k]));
+    if (members.of(k).size() > 1) {
+      joined.push_back(joiner.join(members.of(k)));
       continue;
     }
     Stem& stem = joined.emplace_back();
     stem.parts[0] = std::move(stems[k].part);
-    stem.skeleton = *stems[k].skeleton;
+    stem.skeleton = stems[k].own != nullptr ? std::move(*stems[k].own) : *stems[k].skeleton;
     stem.individual_of_root = std::move(stems[k].individual_of_root);
     const auto count = static_cast<AxisIndex>(stem.skeleton.axis_count());
+    stem.axis_names.reserve(count);
     for (AxisIndex axis = 0; axis < count; ++axis) stem.axis_names.push_back(name_of_axis(stems[k], axis));
     stems[k].skeleton = nullptr;
+    stems[k].own = nullptr;
   }
   return joined;
 }

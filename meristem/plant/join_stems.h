@@ -13,6 +13,8 @@ namespace meristem {
 struct LooseStem {
   StemPart part;                                    ///< the component instance that made the stem
   std::shared_ptr<const Skeleton> skeleton;         ///< never null
+  std::shared_ptr<Skeleton> own{};                  ///< the skeleton if nobody else uses it, so that it may be moved;
+                                                    ///< else null
   std::uint32_t parent = kNoStem;                   ///< index of an earlier stem in the list, or kNoStem
   NodeIndex node = 0;                               ///< the stem grows on the parent's segment that ends in this node
   float along = 1;                                  ///< position on that segment, 0 at its begin to 1 at its end

@@ -54,6 +54,20 @@ TEST(JoinStems, KeepsWhatWasDoneToEachPart) {
   EXPECT_EQ(joined.parts[joined.skeleton.operations[0].part].component, "bough");
 }
 
+TEST(JoinStems, SkeletonsThatNobodyElseUsesAreMoved) {
+  std::vector<LooseStem> stems = small_tree();
+  const std::string hash = skeleton_hash(join_stems(std::move(stems))[0].skeleton);
+  stems = small_tree();
+  stems.push_back(stem("post", {}));
+  for (LooseStem& loose : stems) loose.skeleton = loose.own = std::make_shared<Skeleton>(*loose.skeleton);
+  *stems[3].own = rod({5, 0, 0}, kUp, 2, 0.1F);
+  const Vec3* const memory = stems[3].own->position.data();
+  const std::vector<Stem> joined = join_stems(std::move(stems));
+  ASSERT_EQ(joined.size(), 2U);
+  EXPECT_EQ(skeleton_hash(joined[0].skeleton), hash);
+  EXPECT_EQ(joined[1].skeleton.position.data(), memory);
+}
+
 TEST(JoinStems, MakesOneSkeletonWithLateralsAtTheirPlaces) {
   const std::vector<Stem> joined = join_stems(small_tree());
   ASSERT_EQ(joined.size(), 1U);

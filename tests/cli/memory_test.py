@@ -17,6 +17,45 @@ BUSH = """{
   "links": [["field", "star"], ["star", "crown"], ["crown", "leaf"]]
 }"""
 
+ONE_PARENT = """{
+  "meristem": 1,
+  "components": {"star": {"type": "hydra", "number": %d}, "leaf": {"type": "leaf"}},
+  "links": [["star", "leaf"]]
+}"""
+
+STEMS = """{
+  "meristem": 1,
+  "components": {
+    "field": {"type": "field", "rows": 100, "plants": %d},
+    "stem": {"type": "tree", "length": 0.1, "segments": 1}
+  },
+  "links": [["field", "stem"]]
+}"""
+
+TWIGS = """{
+  "meristem": 1,
+  "components": {
+    "field": {"type": "field", "rows": 10, "plants": %d},
+    "stem": {"type": "tree", "length": 2, "segments": 10},
+    "twig": {"type": "tree", "length": 0.1, "segments": 1}
+  },
+  "links": [["field", "stem"], {"from": "stem", "to": "twig", "kind": "branch", "count": 100}]
+}"""
+
+# Three limits are passed: points of trees, triangles of leaves, and plants of other documents.
+MANY = """{
+  "meristem": 1,
+  "components": {
+    "wood": {"type": "field", "rows": 50, "plants": 50},
+    "oak": {"type": "colonize", "crown": {"sphere": {"centre": [0, 3, 0], "radius": 2}}, "points": 10000,
+            "step": 0.1, "influence": 0.5, "kill": 0.2},
+    "herb": {"type": "hydra", "number": 5000},
+    "leaf": {"type": "leaf"},
+    "bush": {"type": "document", "file": "box.json"}
+  },
+  "links": [["wood", "oak"], ["wood", "herb"], ["herb", "leaf"], ["wood", "bush"]]
+}"""
+
 NESTED = """{
   "meristem": 1,
   "components": {
@@ -33,14 +72,37 @@ class MemoryTest(cli_case.Case):
         code, usage = self.resources(*arguments)
         return code, 1024 * usage.ru_maxrss
 
-    def test_an_instance_takes_less_than_200_bytes(self):
+    def bytes_each(self, document, numbers, instances):
+        """Returns the memory of one instance, from two runs whose documents differ by `instances` instances."""
         peaks = []
-        for plants in (10, 60):  # 200,000 and 1,200,000 leaves
-            self.write("bush.json", BUSH % plants)
-            code, peak = self.peak("grow", "bush.json", "-o", "bush.csv")
+        for number in numbers:
+            self.write("plants.json", document % number)
+            code, peak = self.peak("grow", "plants.json", "-o", "plants.csv")
             self.assertEqual(code, cli_case.DONE)
             peaks.append(peak)
-        self.assertLess((peaks[1] - peaks[0]) / 1_000_000, 200)
+        return (peaks[1] - peaks[0]) / instances
+
+    def test_a_leaf_takes_less_than_120_bytes(self):
+        self.assertLess(self.bytes_each(BUSH, (10, 60), 1_000_000), 120)
+
+    def test_a_child_of_a_parent_with_a_million_children_takes_less_than_160_bytes(self):
+        self.assertLess(self.bytes_each(ONE_PARENT, (200_000, 1_200_000), 1_000_000), 160)
+
+    def test_a_stem_of_two_nodes_takes_less_than_1500_bytes(self):
+        self.assertLess(self.bytes_each(STEMS, (500, 2500), 200_000), 1500)
+
+    def test_a_twig_that_joins_its_stem_takes_less_than_1200_bytes(self):
+        self.assertLess(self.bytes_each(TWIGS, (50, 250), 200_000), 1200)
+
+    def test_counts_are_checked_at_once_before_growth(self):
+        self.write("many.json", MANY)
+        code, peak = self.peak("grow", "many.json", "-o", "many.glb")
+        self.assertEqual(code, cli_case.WRONG_INPUT)
+        self.assertLess(peak, 100_000_000)
+        errors = self.assert_ends(cli_case.WRONG_INPUT, "grow", "many.json", "-o", "many.glb")
+        for fault in ("attraction points, of which oak 2.5e+07 (100 %)", "triangles, of which leaf",
+                      "2500 different plants of other documents, of which bush 2500 (100 %)"):
+            self.assertIn(fault, errors)
 
     def test_nested_recursions_are_refused_before_memory_is_spent(self):
         self.write("nested.json", NESTED)

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
@@ -113,6 +114,7 @@ class ColumnReader {
 
   bool next_line() {
     while (!rest_.empty()) {
+      stop_.step();
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       line_ = rest_.substr(0, end);
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
@@ -187,6 +189,7 @@ class ColumnReader {
     }
   }
 
+  StopCounter stop_;
   std::string_view rest_;
   const std::vector<ColumnRequest>& forms_;
   const Limits& limits_;
@@ -237,6 +240,7 @@ class TableReader {
 
   bool next_line() {
     while (!rest_.empty()) {
+      stop_.step();
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       line_ = rest_.substr(0, end);
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
@@ -285,7 +289,10 @@ class TableReader {
                 .expected = fmt::format("{}, as the head line", table_.columns.size())});
       return;
     }
-    for (std::size_t k = 0; k < cells_.size(); ++k) add(cells_[k], k);
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      stop_.step();
+      add(cells_[k], k);
+    }
     table_.lines.push_back(number_);
   }
 
@@ -318,6 +325,7 @@ class TableReader {
     std::vector<Cell> cells;
     bool is_head = true;
     for (int line = 1; line < number_; ++line) {
+      stop_.step();
       const std::size_t end = std::min(rest.find('\n'), rest.size());
       const std::string_view one = rest.substr(0, end);
       rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -339,6 +347,7 @@ class TableReader {
 
   static constexpr std::size_t kLongestName = 100;
 
+  StopCounter stop_;
   std::string_view text_;
   std::string_view rest_;
   const Limits& limits_;

@@ -15,12 +15,15 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kBytesAtOnce = 4'000'000;  // between two checks for a stop
 
 std::string nearest_file(const fs::path& path) {
   constexpr std::size_t kMostNames = 10'000;
@@ -73,7 +76,15 @@ std::string read_file(const std::string& path, std::uint64_t most_bytes) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (file == nullptr) throw_unreadable(path);
   std::string bytes(size, '\0');
-  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  std::size_t read = 0;
+  while (read < bytes.size()) {
+    ReadingStop::check();
+    const std::size_t part =
+        std::fread(bytes.data() + read, 1, std::min(kBytesAtOnce, bytes.size() - read), file.get());
+    if (part == 0) break;
+    read += part;
+  }
+  bytes.resize(read);
   if (std::ferror(file.get()) != 0) throw_unreadable(path);
   return bytes;
 }

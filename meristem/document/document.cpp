@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/name_table.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/base/stoppable_mutex.h"
 #include "meristem/document/animation_keys.h"
 #include "meristem/document/instance_variables.h"
@@ -445,6 +446,7 @@ std::function<Document(double, const Progress*)> reading_again(const Document& d
 
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options) {
+  const ReadingStop stop(options.progress);  // of the files that the document names
   Document document;
   document.source = {.file = file, .text = std::move(text)};
   bool depends_on_time = false;

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/name_index.h"
 #include "meristem/document/locate.h"
 
 namespace meristem {
@@ -135,7 +135,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   /// Returns the first name, in alphabetical order, that is given twice. Returns null if all names differ.
-  static const std::string* repeated_key(const Value::Object& object) {
+  const std::string* repeated_key(const Value::Object& object) const {
     constexpr std::size_t kFew = 16;
     bool is_repeated = false;
     if (object.size() <= kFew) {
@@ -144,9 +144,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         is_repeated = std::any_of(object.begin(), object.begin() + static_cast<std::ptrdiff_t>(k), is_equal);
       }
     } else {
-      std::unordered_set<std::string_view> seen(2 * object.size());
-      is_repeated = std::any_of(object.begin(), object.end(),
-                                [&](const Value::Member& member) { return !seen.insert(member.first).second; });
+      const auto name_at = [&](std::size_t k) -> std::string_view { return object[k].first; };
+      NameIndex seen(object.size());
+      for (std::size_t k = 0; k < object.size() && !is_repeated; ++k) {
+        if (progress_ != nullptr && k % kValuesBetweenChecks == 0) progress_->check();
+        is_repeated = seen.enter(object[k].first, k, name_at).has_value();
+      }
     }
     if (!is_repeated) return nullptr;
     std::vector<const std::string*> names;

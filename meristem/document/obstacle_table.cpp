@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/number_limit.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/scene/file/read_mesh.h"
 
@@ -25,7 +26,11 @@ TriangleMesh placed_mesh(const ObstacleParameters& form) {
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
                                            glm::max(DVec3(form.box->low), DVec3(form.box->high)));
   const DFrame frame = form.pose.frame();
-  for (DVec3& position : mesh.positions) position = frame.point(position);
+  StopCounter stop;
+  for (DVec3& position : mesh.positions) {
+    stop.step();
+    position = frame.point(position);
+  }
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 // reused.
 #include "meristem/graph/link_reader.h"
 
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -26,11 +27,23 @@ const ParameterTable& link_table() {
   return table;
 }
 
-LinkReader::LinkReader(Graph& graph, ParameterReader& reader) : graph_(graph), reader_(reader) {
-  for (const Prototype& prototype : graph.components) {
-    component_by_id_.emplace(prototype.id, static_cast<ComponentIndex>(ids_.size()));
-    ids_.push_back(prototype.id);
+LinkReader::LinkReader(Graph& graph, ParameterReader& reader)
+    : graph_(graph), reader_(reader), component_by_id_(graph.components.size()) {
+  const auto id_at = [&](std::size_t c) -> std::string_view { return graph.components[c].id; };
+  for (std::size_t c = 0; c < graph.components.size(); ++c) component_by_id_.enter(graph.components[c].id, c, id_at);
+}
+
+ComponentIndex LinkReader::component(std::string_view id) const {
+  const auto id_at = [&](std::size_t c) -> std::string_view { return graph_.components[c].id; };
+  const std::optional<std::size_t> found = component_by_id_.find(id, id_at);
+  return found ? static_cast<ComponentIndex>(*found) : kNoIndex;
+}
+
+std::string LinkReader::nearest_id(std::string_view id) {
+  if (ids_.empty()) {
+    for (const Prototype& prototype : graph_.components) ids_.push_back(prototype.id);
   }
+  return reader_.nearest(id, ids_);
 }
 
 void LinkReader::read(const Value& links, const DocumentPath& path) {
@@ -102,9 +115,8 @@ ComponentIndex LinkReader::read_end(const Value& value, const DocumentPath& path
     reader_.fault(path, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
     return kNoIndex;
   }
-  const auto found = component_by_id_.find(*value.text());
-  if (found != component_by_id_.end()) return found->second;
-  const std::string nearest = reader_.nearest(*value.text(), ids_);
+  if (const ComponentIndex found = component(*value.text()); found != kNoIndex) return found;
+  const std::string nearest = nearest_id(*value.text());
   reader_.fault(path, fmt::format("there is no component '{}'", *value.text()),
                 nearest.empty() ? "the id of a component" : "", nearest);
   return kNoIndex;
@@ -117,18 +129,18 @@ void LinkReader::link_placed(const DocumentPath& components) {
     const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
     for (std::uint32_t k = 0; k < placed.size(); ++k) {
       const std::string& id = placed[k].id;
-      const auto found = component_by_id_.find(id);
-      if (found != component_by_id_.end()) {
+      const ComponentIndex found = component(id);
+      if (found != kNoIndex) {
         // Constructed in the list itself: g++ 12 warns about the unused alternatives of a variant that is moved.
         Link& link = graph_.links.emplace_back();
         link.from = from;
-        link.to = found->second;
+        link.to = found;
         link.kind = PlacedLink{k};
         link.fingerprint = 0;
         continue;
       }
       if (!placed[k].is_needed) continue;
-      const std::string nearest = reader_.nearest(id, ids_);
+      const std::string nearest = nearest_id(id);
       reader_.fault(DocumentPath(components, prototype.id),
                     fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
                     nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
+#include "meristem/base/name_index.h"
 #include "meristem/graph/graph.h"
 #include "meristem/graph/table/reader.h"
 
@@ -36,8 +37,13 @@ class LinkReader {
 
   Graph& graph_;
   ParameterReader& reader_;
-  std::unordered_map<std::string, ComponentIndex> component_by_id_;
-  std::vector<std::string> ids_;
+  /// Returns the component with an id, or kNoIndex.
+  ComponentIndex component(std::string_view id) const;
+  /// Returns the nearest id, for a message.
+  std::string nearest_id(std::string_view id);
+
+  NameIndex component_by_id_;
+  std::vector<std::string> ids_;  // filled for the first message
 };
 
 }  // namespace meristem

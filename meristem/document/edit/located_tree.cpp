@@ -105,7 +105,7 @@ constexpr std::size_t kFewMembers = 32;    // are searched one by one
 constexpr std::size_t kMostMoves = 256;    // of a member's place, after which all members are entered again
 constexpr std::size_t kMostShifts = 1024;  // after which all nodes are moved
 
-// Ends a list or object of which only some parts are read. No document has this name.
+// End of a list or object, after the parts that are read again. No document has this name.
 constexpr std::string_view kLastMember = R"( "\u0001 last": 0})";
 constexpr std::string_view kLastElement = " 0]";
 
@@ -322,7 +322,7 @@ void LocatedTree::apply(const Patch& patch, const Progress* progress) {
     return;
   }
 
-  // Nothing throws from here on, except for a lack of memory.
+  // Only a lack of memory can throw from here on.
   note_names(touched, *range);
   parsed_bytes_ += range->bytes;
   for (auto splice = patch.rbegin(); splice != patch.rend(); ++splice) {

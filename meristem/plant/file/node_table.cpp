@@ -11,6 +11,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/number_limit.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
@@ -62,7 +63,9 @@ Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement
   Skeleton skeleton;
   skeleton.reserve(table.node_count());
   AxisIndex axes = 0;
+  StopCounter stop;
   for (NodeIndex node = 0; node < table.node_count(); ++node) {
+    stop.step();
     // Subtract in doubles first, because map coordinates are too large for floats.
     const DVec3 at = placement.unit * world(table.position[node] - origin, placement.is_y_up);
     if (!(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxCoordinate)) {

@@ -16,6 +16,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/in_quotes.h"
 #include "meristem/base/read_columns.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/plant/file/node_table.h"
 
 namespace meristem {
@@ -178,7 +179,9 @@ class TableReader {
     form() == NodeTableForm::nodes ? ask_for_nodes() : ask_for_cylinders();
     const Columns columns = read();
     std::vector<Row> rows(columns.row_count());
+    StopCounter stop;
     for (std::size_t k = 0; k < rows.size(); ++k) {
+      stop.step();
       const auto value = [&](std::size_t at) { return at == kNone ? kNan : columns.numbers[at][k]; };
       Row& row = rows[k];
       row.line = columns.lines[k] + before_.lines;
@@ -286,6 +289,7 @@ class Sorter {
     std::unordered_map<double, std::uint32_t> row_of;
     row_of.reserve(rows_.size());
     for (std::uint32_t k = 0; k < rows_.size(); ++k) {
+      stop_.step();
       const auto [entry, is_new] = row_of.emplace(rows_[k].number, k);
       if (is_new) continue;
       fail(file_, rows_[k].line,
@@ -294,6 +298,7 @@ class Sorter {
     }
     parent_.assign(rows_.size(), kNoRow);
     for (std::uint32_t k = 0; k < rows_.size(); ++k) {
+      stop_.step();
       const double named = rows_[k].parent;
       if (std::isnan(named) || named < 0) continue;
       const auto found = row_of.find(named);
@@ -332,6 +337,7 @@ class Sorter {
       return;
     }
     for (std::size_t k = 0; k < order_.size(); ++k) {
+      stop_.step();
       for (std::uint32_t c = first[order_[k]]; c < first[order_[k] + 1]; ++c) order_.push_back(child[c]);
     }
     if (order_.size() == rows_.size()) return;
@@ -356,6 +362,7 @@ class Sorter {
     std::vector<NodeIndex> node_of(rows_.size(), kNoNode);
     std::map<std::array<double, 3>, NodeIndex> roots_at;  // begins of cylinders without a parent
     for (const std::uint32_t k : order_) {
+      stop_.step();
       const Row& row = rows_[k];
       NodeIndex parent = parent_[k] == kNoRow ? kNoNode : node_of[parent_[k]];
       // NaN equals nothing, so rows without a branch would all be entries of their own.
@@ -381,6 +388,7 @@ class Sorter {
     }
   }
 
+  StopCounter stop_;
   std::vector<Row> rows_;
   NodeTableForm form_;
   const std::string& file_;
@@ -473,6 +481,7 @@ class TreeFileReader {
     std::size_t skip = skipped_;
     std::vector<std::string_view> cells;
     while (!line.empty()) {
+      stop_.step();
       const std::size_t end = std::min(line.find(", "), line.size());
       std::string_view part = line.substr(0, end);
       line.remove_prefix(std::min(end + 2, line.size()));
@@ -511,6 +520,7 @@ class TreeFileReader {
     }
   }
 
+  StopCounter stop_;
   std::string_view rest_;
   const std::string& file_;
   const Limits& limits_;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/number_limit.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/plant/mtg/mtg_columns.h"
 #include "meristem/plant/mtg/mtg_text.h"
 
@@ -30,7 +31,9 @@ class SkeletonReader {
     node_.assign(tree_.vertex_count(), kNoNode);
     continued_.assign(tree_.vertex_count(), false);
     std::vector<bool> begun(tree_.vertex_count(), false);
+    StopCounter stop;
     for (MtgVertex vertex = 1; vertex < tree_.vertex_count(); ++vertex) {
+      stop.step();
       if (tree_.scale(vertex) != finest) continue;
       if (tree_.parent[vertex] != kNoVertex) {
         add_borne(vertex);
@@ -76,7 +79,9 @@ class SkeletonReader {
     constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> lengths;
     lengths.reserve(tree_.vertex_count());
+    StopCounter stop;
     for (const std::string_view text : tree_.texts(feature)) {
+      stop.step();
       const auto exact = unit == 1 ? to_float(text) : std::nullopt;
       lengths.push_back(exact ? *exact : unit * to_number(text).value_or(kMissing));
     }

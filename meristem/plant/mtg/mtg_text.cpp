@@ -59,6 +59,7 @@ MtgLines::MtgLines(std::string_view text) : rest_(text) {
 
 bool MtgLines::next(MtgLine& line) {
   while (!rest_.empty()) {
+    stop_.step();
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     const std::string_view whole = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));

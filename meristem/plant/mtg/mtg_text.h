@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
@@ -37,6 +38,7 @@ class MtgLines {
   std::uint32_t last_number() const { return number_; }
 
  private:
+  StopCounter stop_;
   std::string_view rest_;
   std::uint32_t number_ = 0;
 };

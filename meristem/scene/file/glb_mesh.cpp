@@ -17,6 +17,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/number_limit.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/scene/file/glb_file.h"
 
 namespace meristem {
@@ -46,6 +47,7 @@ class SceneReader {
     while (!waiting_.empty()) {
       const auto [node_index, outer] = waiting_.back();
       waiting_.pop_back();
+      stop_.step();
       const std::string place = fmt::format("nodes[{}]", node_index);
       const Json& node = glb_.element("nodes", node_index, place);
       const glm::dmat4 placed = outer * local_transform(node, place);
@@ -69,6 +71,7 @@ class SceneReader {
     const Json& nodes = glb_.list(parent, key, place);
     // Push in reverse order, because the last entry is processed first.
     for (std::size_t k = nodes.size(); k-- > 0;) {
+      stop_.step();
       const std::uint64_t node = glb_.as_whole(nodes[k], "a node", place);
       if (node >= is_seen_.size()) glb_.fail(place, fmt::format("there is no nodes[{}]", node));
       if (is_seen_[node]) glb_.fail(place, fmt::format("nodes[{}] has two parents", node), "a tree of nodes");
@@ -130,6 +133,7 @@ class SceneReader {
     };
     const bool is_mirrored = glm::determinant(glm::dmat3(placed)) < 0;
     for (std::uint64_t t = 0; t < triangles; ++t) {
+      stop_.step();
       const auto [a, b, c] = corners_of(mode, t);
       std::array<std::uint32_t, 3>& triangle = mesh_.triangles.emplace_back();
       triangle = {vertex(a), vertex(b), vertex(c)};
@@ -167,6 +171,7 @@ class SceneReader {
 
   void add_positions(const GltfNumbers& positions, const glm::dmat4& placed, const std::string& place) {
     for (std::uint64_t k = 0; k < positions.count; ++k) {
+      stop_.step();
       const glm::dvec4 local(positions.number(k, 0), positions.number(k, 1), positions.number(k, 2), 1);
       const DVec3 position(placed * local);
       if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
@@ -189,6 +194,7 @@ class SceneReader {
     throw InputError(std::move(diagnostic));
   }
 
+  StopCounter stop_;
   const GlbFile& glb_;
   const std::string& file_;
   const Limits& limits_;

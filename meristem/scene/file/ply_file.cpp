@@ -15,6 +15,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/scene/file/text_scanner.h"
 
 namespace meristem {
@@ -140,7 +141,7 @@ class AsciiValues : public Values {
 };
 
 /// Reads one row. Returns false at the end of the file.
-bool read_row(const PlyElement& element, Values& values, PlyRow& row) {
+bool read_row(const PlyElement& element, Values& values, PlyRow& row, StopCounter& stop) {
   for (std::size_t k = 0; k < element.properties.size(); ++k) {
     const PlyProperty& property = element.properties[k];
     const std::optional<double> value = values.next(property.count_type.value_or(property.type));
@@ -158,6 +159,7 @@ bool read_row(const PlyElement& element, Values& values, PlyRow& row) {
                                             property.name, *value)});
     }
     for (auto left = static_cast<std::uint64_t>(*value); left > 0; --left) {
+      stop.step();
       const std::optional<double> entry = values.next(property.type);
       if (!entry) return false;
       row.lists[k].push_back(*entry);
@@ -264,6 +266,7 @@ void PlyFile::read(FunctionRef<void(const PlyElement&, const PlyRow&)> take) con
   BinaryValues binary(body, is_big != (format_ == PlyFormat::big_endian));
   AsciiValues ascii(body, file_, body_line_);
   Values& values = format_ == PlyFormat::ascii ? static_cast<Values&>(ascii) : binary;
+  StopCounter stop;
   for (const PlyElement& element : elements_) {
     // Rows without properties take no bytes.
     if (element.properties.empty()) continue;
@@ -273,7 +276,8 @@ void PlyFile::read(FunctionRef<void(const PlyElement&, const PlyRow&)> take) con
     row.lists.resize(element.properties.size());
     for (; row.index < element.count; ++row.index) {
       try {
-        if (!read_row(element, values, row)) fail(element, row, "the file is cut off here", "the whole file");
+        stop.step();
+        if (!read_row(element, values, row, stop)) fail(element, row, "the file is cut off here", "the whole file");
       } catch (const InputError& error) {
         const Diagnostic& found = error.diagnostics()[0];
         if (!found.file.empty()) throw;

@@ -36,6 +36,7 @@ void TextScanner::skip_blanks() {
 }
 
 std::string_view TextScanner::word() {
+  stop_.step();
   skip_blanks();
   word_line_ = line_;
   word_column_ = at_ - line_begin_ + 1;
@@ -56,6 +57,7 @@ std::string_view TextScanner::word_anywhere() {
 }
 
 bool TextScanner::next_line() {
+  stop_.step();
   const std::size_t end = text_.find('\n', at_);
   if (end == std::string_view::npos) {
     at_ = text_.size();

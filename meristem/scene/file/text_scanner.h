@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
@@ -38,6 +39,7 @@ class TextScanner {
  private:
   void skip_blanks();
 
+  StopCounter stop_;
   std::string_view text_;
   std::string file_;
   std::string_view separators_;

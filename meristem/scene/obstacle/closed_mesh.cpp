@@ -16,6 +16,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "meristem/base/reading_stop.h"
 #include "meristem/base/vec.h"
 
 namespace meristem {
@@ -55,7 +56,9 @@ std::size_t cell_index(std::int32_t x, std::int32_t z, int level) {
 }  // namespace
 
 ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), triangles_(mesh.triangles) {
+  StopCounter stop;
   for (const auto& triangle : triangles_) {
+    stop.step();
     for (const std::uint32_t vertex : triangle) {
       if (vertex >= positions_.size()) throw std::invalid_argument("closed mesh: an index is out of range");
     }
@@ -64,12 +67,14 @@ ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), t
   low_ = positions_[0];
   DVec3 high = low_;
   for (const DVec3 position : positions_) {
+    stop.step();
     low_ = glm::min(low_, position);
     high = glm::max(high, position);
   }
   for (int k = 0; k < 3; ++k) steps_[k] = high[k] > low_[k] ? kSteps / (high[k] - low_[k]) : 0;
   snapped_.reserve(positions_.size());
   for (const DVec3 position : positions_) {
+    stop.step();
     Grid3& snapped = snapped_.emplace_back();
     for (int k = 0; k < 3; ++k) {
       const double steps = std::floor((position[k] - low_[k]) * steps_[k] + 0.5);
@@ -78,6 +83,7 @@ ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), t
   }
   double sum = 0;
   for (const auto& [a, b, c] : triangles_) {
+    stop.step();
     sum += glm::dot(positions_[a] - low_, glm::cross(positions_[b] - low_, positions_[c] - low_));
   }
   volume_ = std::abs(sum) / 6;
@@ -88,7 +94,9 @@ void ClosedMesh::build_levels() {
   int finest = 0;
   while (finest < kMostLevels && (std::size_t{1} << (2 * finest)) < triangles_.size()) ++finest;
   // Finds the level and the cells of a triangle.
+  StopCounter stop;
   const auto for_cells = [&](const std::array<std::uint32_t, 3>& triangle, auto&& see) {
+    stop.step();
     const Grid3& a = snapped_[triangle[0]];
     const Grid3& b = snapped_[triangle[1]];
     const Grid3& c = snapped_[triangle[2]];

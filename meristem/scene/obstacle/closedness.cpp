@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/reading_stop.h"
 #include "meristem/scene/obstacle/closed_mesh.h"
 
 namespace meristem {
@@ -24,10 +25,14 @@ std::vector<std::uint32_t> welded(const std::vector<DVec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto key = [&](std::uint32_t k) { return std::array{positions[k].x, positions[k].y, positions[k].z}; };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  StopCounter stop;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    stop.step();
+    return key(a) != key(b) ? key(a) < key(b) : a < b;
+  });
   std::vector<std::uint32_t> first(positions.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
+    stop.step();
     first[order[k]] = k > 0 && key(order[k]) == key(order[k - 1]) ? first[order[k - 1]] : order[k];
   }
   return first;
@@ -37,15 +42,19 @@ std::vector<Edge> sorted_edges(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> first = welded(mesh.positions);
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
+  StopCounter stop;
   for (const auto& triangle : mesh.triangles) {
+    stop.step();
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = first[triangle[k]];
       const std::uint32_t to = first[triangle[(k + 1) % 3]];
       if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to});
     }
   }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    stop.step();
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
   return edges;
 }
 
@@ -91,7 +100,9 @@ std::vector<std::string> closedness_faults(const TriangleMesh& mesh) {
   Finding turned;
   Finding crowded;
   const std::vector<Edge> edges = sorted_edges(mesh);
+  StopCounter stop;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    stop.step();
     std::size_t forward = 0;
     for (end = begin; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;
          ++end) {

@@ -15,6 +15,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/embree.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/scene/obstacle/watertight_ray.h"
 
 namespace meristem {
@@ -38,8 +39,10 @@ struct Facets {
   double margin = 0;  ///< margin of boxes around their content, metres
 
   explicit Facets(const std::vector<const TriangleMesh*>& bodies) {
+    StopCounter stop;
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       for (const auto& triangle : bodies[body]->triangles) {
+        stop.step();
         Facet& facet = all.emplace_back();
         facet.body = static_cast<std::uint32_t>(body);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -252,7 +255,15 @@ struct ObstacleTree::Tree {
     rtcSetGeometryOccludedFunction(geometry.get(), find_any);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene.get(), geometry.get());
+    // Embree calls this function on all of its threads.
+    const auto goes_on = [](void* progress, double) { return !static_cast<const Progress*>(progress)->is_cancelled(); };
+    const Progress* const progress = ReadingStop::progress();
+    if (progress != nullptr) {
+      rtcSetSceneProgressMonitorFunction(scene.get(), goes_on, const_cast<Progress*>(progress));
+    }
     rtcCommitScene(scene.get());
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    ReadingStop::check();
     if (!failure.empty()) throw MachineError("obstacles: " + failure);
   }
 };

@@ -438,11 +438,40 @@ test('the sun is dragged along its way for the hour and across for the day', asy
   assert.ok(Math.abs((await tree_of()).scene.sun.hour - (sun.hour - 0.5)) < 0.051);
   await step(page, () => type_into(page, page.getByRole('textbox', { name: 'Latitude of the sun' }), '35'));
   assert.equal((await tree_of()).scene.latitude, 35);
+  // Each field stays within the limits of its row, which are drawn.
+  for (const [name, limits, typed, legal] of [['Latitude', '-90 90', '123', 90], ['Day', '1 366', '400', 366], ['Day', '1 366', '-3', 1], ['Hour', '0 24', '30', 24]]) {
+    assert.equal(await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'), limits, name);
+    await step(page, () => type_into(page, page.getByRole('textbox', { name: `${name} of the sun` }), typed));
+    const { latitude, sun: now } = (await tree_of()).scene;
+    assert.equal({ Latitude: latitude, Day: now.day, Hour: now.hour }[name], legal, `${name} ${typed}`);
+  }
+  assert.deepEqual(await page.evaluate(() => window.studio.document.state.get().faults.filter(({ severity }) => severity === 'error')), []);
   await page.getByRole('checkbox', { name: 'Light the view by this sun' }).check();
   assert.deepEqual(await serious_faults(page), []);
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);
+});
+
+test('the position of a fixed sun and the date of a clock stay within their limits', async () => {
+  for (const [file, sun, fields] of [
+    ['fixed.json', '{"azimuth": 180, "altitude": 40}', [['Altitude', '-90 90', '-120', ['altitude', -90]], ['Altitude', '-90 90', '-30', ['altitude', -30]], ['Azimuth', '-360 360', '500', ['azimuth', 0]]]],
+    ['dated.json', '{"date": "2026-06-21", "time": 12, "longitude": 9, "utc_offset": 1}', [['Day', '1 365', '500', ['date', '2026-12-31']], ['Time', '0 24', '25', ['time', 24]]]],
+  ]) {
+    const text = kYard.replace('{"day": 172, "hour": 12}', sun);
+    await write_document(place.folder, file, text);
+    await open_file(page, file);
+    await choose(page, 'Scene');
+    for (const [name, limits, typed, [row, legal]] of fields) {
+      assert.equal(await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'), limits, name);
+      await step(page, () => type_into(page, page.getByRole('textbox', { name: `${name} of the sun` }), typed));
+      assert.equal((await tree_of()).scene.sun[row], legal, `${name} ${typed}`);
+    }
+    await undo_all(page);
+    await settled(page);
+    assert.equal(await text_of(page), text);
+  }
+  await open_file(page, 'yard.json');
 });
 
 test('the profile of a crown is dragged in the view', async () => {

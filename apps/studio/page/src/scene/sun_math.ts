@@ -84,6 +84,11 @@ export function date_of_day(day: number, year: number): string {
   return new Date(Date.UTC(year, 0, Math.round(day))).toISOString().slice(0, 10);
 }
 
+/// Returns the number of days of a year: 365 or 366.
+export function days_of_year(year: number): number {
+  return Math.round((Date.UTC(year + 1, 0, 1) - Date.UTC(year, 0, 1)) / 86_400_000);
+}
+
 /// Returns a day as text: "21 June", in a year without a leap day.
 export function day_text(day: number): string {
   return new Date(Date.UTC(2025, 0, Math.round(day))).toLocaleDateString('en', {

@@ -4,7 +4,16 @@ import { rounded } from '../values/arithmetic.ts';
 import type { Json } from '../values/json.ts';
 import { member_of } from '../values/path.ts';
 import type { SkyPlace } from './sun_math.ts';
-import { date_of_day, day_of_date, day_text, daylight, hour_of, hour_text, sun_place } from './sun_math.ts';
+import {
+  date_of_day,
+  day_of_date,
+  day_text,
+  daylight,
+  days_of_year,
+  hour_of,
+  hour_text,
+  sun_place,
+} from './sun_math.ts';
 
 export interface SunState {
   /// fixed: a position; day: an hour of a day; season: several days; clock: by a local clock; none: without a sun;
@@ -66,10 +75,16 @@ export function with_time(scene: Json | undefined, state: SunState, day: number,
   const is_text = typeof member_of(sun, is_clock ? 'time' : 'hour') === 'string';
   const values: Record<string, Json> = { [row]: is_text ? hour_text(held) : rounded(held, 0.05) };
   if (state.kind === 'season' || Math.round(day) === Math.round(state.day)) return values;
-  const date = member_of(sun, 'date');
-  if (typeof date === 'string') values['scene.sun.date'] = date_of_day(day, Number(date.slice(0, 4)));
+  const year = year_of(scene);
+  if (year !== null) values['scene.sun.date'] = date_of_day(Math.min(day, days_of_year(year)), year);
   else values['scene.sun.day'] = Math.round(day);
   return values;
+}
+
+/// Returns the year of the sun's date, or null if the scene gives the day by its number.
+export function year_of(scene: Json | undefined): number | null {
+  const date = member_of(member_of(scene, 'sun'), 'date');
+  return typeof date === 'string' ? Number(date.slice(0, 4)) : null;
 }
 
 /// Returns the values that set the position of a fixed sun.

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every shipped model opens in the studio: one page opens them one after another and waits for each picture at rest.
 
-In:  the program; with `--times`, a line for each model says how long its pictures took.
+In:  the program; the program that compares messages with the protocol; with `--times`, a line for
+     each model says how long its pictures took.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ import unittest
 from pathlib import Path
 from typing import Any
 
-from studio_client import Page, Studio
+from studio_client import Page, Studio, check_recorded
 
-PROGRAM = sys.argv[1]
+PROGRAM, PROTOCOL = sys.argv[1], sys.argv[2]
 SHOWS_TIMES = "--times" in sys.argv
 
 
@@ -27,12 +28,13 @@ class ModelsTest(unittest.TestCase):
             for name in names:
                 with self.subTest(name):
                     self.open(page, name)
+            self.assertEqual(check_recorded(PROTOCOL, Path(folder)), [])
 
     def open(self, page: Page, name: str) -> None:
         begin = time.monotonic()
         answer = page.ask("open", model=name)
         self.assertEqual((answer["is"], answer.get("good")), ("done", True), answer.get("faults"))
-        page.news.clear()
+        page.messages.clear()
         page.packets.clear()
         first: dict[str, Any] | None = None
         while first is None or first["draft"]:

@@ -117,7 +117,7 @@ const Record& overlay_key() {
 }
 
 const Record& overlay_layer() {
-  static const Record record = WrittenRecord("OverlayLayer", "One overlay.")
+  static const Record record = WrittenRecord("PackedLayer", "One overlay.")
                                    .member("part", text(), "Name of the overlay.")
                                    .member("points", forms::record(coloured_points), "Single points.")
                                    .member("lines", forms::record(coloured_points), "Two points for each line.")

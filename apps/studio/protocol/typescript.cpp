@@ -128,7 +128,7 @@ std::set<const Record*> records_of_requests() {
 
 /// Returns the imports of a file from the files of other subjects.
 std::string imports(const TypeWriter& writer, const std::vector<GroupRecords>& groups, const ProtocolGroup* own) {
-  std::string text = writer.uses_json() ? "import type { Json } from '../json.ts';\n" : "";
+  std::map<std::string, std::string> lines;  // by the name of the file, as the page's linter sorts them
   for (const GroupRecords& group : groups) {
     std::set<std::string> names;
     for (const Record* record : group.records) {
@@ -137,8 +137,11 @@ std::string imports(const TypeWriter& writer, const std::vector<GroupRecords>& g
     if (names.empty()) continue;
     const std::string from = fmt::format("from './{}.ts';\n", group.group->name);
     const std::string line = fmt::format("import type {{ {} }} {}", fmt::join(names, ", "), from);
-    text += line.size() <= kWidth ? line : fmt::format("import type {{\n  {},\n}} {}", fmt::join(names, ",\n  "), from);
+    lines[group.group->name] =
+        line.size() <= kWidth ? line : fmt::format("import type {{\n  {},\n}} {}", fmt::join(names, ",\n  "), from);
   }
+  std::string text = writer.uses_json() ? "import type { Json } from '../../values/json.ts';\n" : "";
+  for (const auto& [name, line] : lines) text += line;
   return text.empty() ? "" : text + "\n";
 }
 

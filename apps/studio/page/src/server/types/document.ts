@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages that open, change and read a document.
 // `meristem_studio_protocol` writes this file from apps/studio/protocol.
-import type { Json } from '../json.ts';
+import type { Json } from '../../values/json.ts';
 
 /// An error or a warning about a text.
 export interface Fault {

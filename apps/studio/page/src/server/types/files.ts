@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages about files below the root, shipped models and parts of documents.
 // `meristem_studio_protocol` writes this file from apps/studio/protocol.
-import type { Json } from '../json.ts';
+import type { Json } from '../../values/json.ts';
 import type { ImpliedLink, Reading } from './document.ts';
 
 /// Lists a folder.

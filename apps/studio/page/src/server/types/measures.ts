@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages about measures of the document.
 // `meristem_studio_protocol` writes this file from apps/studio/protocol.
-import type { Json } from '../json.ts';
+import type { Json } from '../../values/json.ts';
 import type { Fault } from './document.ts';
 
 /// Measures the document.

@@ -12,7 +12,14 @@ import type {
   TextAnswer,
   TextRequest,
 } from './document.ts';
-import type { CancelRequest, Failed, Grown, Hello, PauseRequest, ShownRequest, ViewRequest, Working } from './view.ts';
+import type {
+  CommandAnswer,
+  CommandRequest,
+  ExportAnswer,
+  ExportRequest,
+  StillsAnswer,
+  StillsRequest,
+} from './export.ts';
 import type {
   Elsewhere,
   FilesAnswer,
@@ -27,14 +34,7 @@ import type {
   SaveAnswer,
   SaveRequest,
 } from './files.ts';
-import type {
-  CommandAnswer,
-  CommandRequest,
-  ExportAnswer,
-  ExportRequest,
-  StillsAnswer,
-  StillsRequest,
-} from './export.ts';
+import type { MeasureRowsAnswer, MeasuresAnswer, MeasuresRequest, SweepAnswer, SweepRequest } from './measures.ts';
 import type {
   ClocksAnswer,
   ClocksRequest,
@@ -52,7 +52,7 @@ import type {
   WorkedOutRequest,
 } from './plant.ts';
 import type { InstanceAnswer, InstanceRequest, OperationsAnswer, OperationsRequest, ShootRequest } from './shoots.ts';
-import type { MeasureRowsAnswer, MeasuresAnswer, MeasuresRequest, SweepAnswer, SweepRequest } from './measures.ts';
+import type { CancelRequest, Failed, Grown, Hello, PauseRequest, ShownRequest, ViewRequest, Working } from './view.ts';
 
 /// The members of each request.
 export interface Requests {

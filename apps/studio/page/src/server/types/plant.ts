@@ -91,7 +91,7 @@ export interface OverlayKey {
 }
 
 /// One overlay.
-export interface OverlayLayer {
+export interface PackedLayer {
   /// Name of the overlay.
   part: string;
   /// Single points.
@@ -111,7 +111,7 @@ export interface OverlayLayers {
   /// Growth step of the layers.
   step: number;
   /// The overlays.
-  layers: OverlayLayer[];
+  layers: PackedLayer[];
 }
 
 /// Overlays. The answer is a packet with their arrays.

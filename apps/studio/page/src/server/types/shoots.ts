@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Questions about visible instances, their shoots, and the effects of operations on trees.
 // `meristem_studio_protocol` writes this file from apps/studio/protocol.
-import type { Json } from '../json.ts';
+import type { Json } from '../../values/json.ts';
 
 /// Finds the instance that made a visible part.
 export interface InstanceRequest {

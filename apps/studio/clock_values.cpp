@@ -25,9 +25,9 @@ Value::List blocks_of(std::span<const BegunClock> clocks) {
 
 }  // namespace
 
-Value clocks_value(const GrownWish& grown, double up_to, Progress& progress, GrowthCache& cache) {
+Value clocks_value(const GrownPlant& grown, double up_to, Progress& progress, GrowthCache& cache) {
   std::optional<Document> other;
-  const Document& document = document_at(*grown.wish.document, up_to, other, &progress);
+  const Document& document = document_at(*grown.request.document, up_to, other, &progress);
   const std::vector<BegunClock> clocks =
       begun_clocks(document.graph, document.scene, up_to, progress, &cache, grown.view);
   Value::List list;

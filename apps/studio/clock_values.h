@@ -10,6 +10,6 @@ namespace meristem::studio {
 
 /// Returns a list of {"component", "count", "blocks": [[start, speed], ...]} as protocol.md defines it: the clocks that
 /// begin up to a time of the document, seconds. Throws what begun_clocks and document_at throw.
-Value clocks_value(const GrownWish& grown, double up_to, Progress& progress, GrowthCache& cache);
+Value clocks_value(const GrownPlant& grown, double up_to, Progress& progress, GrowthCache& cache);
 
 }  // namespace meristem::studio

@@ -22,7 +22,7 @@ Value leaf_value(const GrassCurves::Name& name) {
 
 }  // namespace
 
-Value curves_value(const GrownWish& grown, const CurvesRequest& request) {
+Value curves_value(const GrownPlant& grown, const CurvesRequest& request) {
   const auto& components = grown.document->graph.components;
   const auto component = std::ranges::find(components, request.component, &Prototype::id);
   if (component == components.end()) return {};

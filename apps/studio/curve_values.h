@@ -9,6 +9,6 @@
 namespace meristem::studio {
 
 /// Returns the curves. Returns null if the component is no grass leaf. Throws InputError.
-Value curves_value(const GrownWish& grown, const CurvesRequest& request);
+Value curves_value(const GrownPlant& grown, const CurvesRequest& request);
 
 }  // namespace meristem::studio

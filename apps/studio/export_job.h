@@ -20,7 +20,7 @@ struct ExportSource {
   std::shared_ptr<const Document> document;  ///< document at the requested time and with the requested seed
   std::string text;                          ///< present text
   std::string name;                          ///< name for files, without ending
-  std::shared_ptr<const GrownWish> grown;    ///< grown plant of the same document and time; null: the document is grown
+  std::shared_ptr<const GrownPlant> grown;   ///< grown plant of the same document and time; null: the document is grown
                                              ///< again
 };
 

@@ -21,12 +21,12 @@ TEST(ExportJob, RecordsTheGrowthForTablesThatTellOfIt) {
   for (const bool is_recorded : {false, true}) {
     const GrowthView view{{}, is_recorded ? TraceWish{TracePart::points} : TraceWish{}};
     GrownDocument grown = grow_document(*document, progress, {.up_to = GrownPart::plant, .view = view});
-    auto shown = std::make_shared<GrownWish>();
-    shown->wish.document = document;
+    auto shown = std::make_shared<GrownPlant>();
+    shown->request.document = document;
     shown->view = view;
     shown->plant = std::move(grown.plant);
     shown->traces = std::move(grown.traces);
-    for (const std::shared_ptr<const GrownWish>& there : {std::shared_ptr<const GrownWish>(shown), {}}) {
+    for (const std::shared_ptr<const GrownPlant>& there : {std::shared_ptr<const GrownPlant>(shown), {}}) {
       Downloads downloads;
       ExportOptions options;
       options.format = ".points.csv";

@@ -76,10 +76,11 @@ class FrameTaker {
 
 }  // namespace
 
-Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads, JobNews& news) {
+Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads,
+                    JobMessages& messages) {
   const film::FrameTimes times = times_of(options, *source.document);
   const std::size_t count = times.count();
-  FrameTaker taker(source, options, news.progress());
+  FrameTaker taker(source, options, messages.progress());
   const bool is_film = film::is_film(options.format);
   if (is_film) film::check_film(source.name + options.format, taker.still().width, taker.still().height);
   const std::unique_ptr<Downloads::Draft> draft = downloads.begin();
@@ -93,16 +94,16 @@ Value export_frames(const ExportSource& source, const ExportOptions& options, Do
   } else {
     paths = film::frame_paths(path, static_cast<int>(count));
   }
-  news.begin_part("frame", 0, count);
+  messages.begin_part("frame", 0, count);
   taker.place_camera(times.at(count - 1));
   for (std::size_t k = 0; k < count; ++k) {
-    news.begin_part("frame", k, count);
+    messages.begin_part("frame", k, count);
     taker.take(times.at(k), paths[k]);
   }
-  if (is_film) film::make_film(pictures, count, 1 / times.step, path, news.progress());
+  if (is_film) film::make_film(pictures, count, 1 / times.step, path, messages.progress());
   return made_file(downloads, *draft,
                    is_film ? fs::path(path).filename().string() : fs::path(paths[0]).filename().string(), source.name,
-                   news.progress());
+                   messages.progress());
 }
 
 }  // namespace meristem::studio

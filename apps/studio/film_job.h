@@ -3,7 +3,7 @@
 #pragma once
 
 #include "export_job.h"
-#include "job_news.h"
+#include "job_messages.h"
 
 namespace meristem::studio {
 
@@ -11,6 +11,7 @@ namespace meristem::studio {
 /// the film, or an archive of the pictures. Without a camera in the options, the camera shows the whole plant of the
 /// last frame; a camera with keys moves. Throws a Refusal if neither the document has an animation nor the options have
 /// times. Throws InputError, MachineError, Cancelled.
-Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads, JobNews& news);
+Value export_frames(const ExportSource& source, const ExportOptions& options, Downloads& downloads,
+                    JobMessages& messages);
 
 }  // namespace meristem::studio

@@ -10,7 +10,7 @@
 #include <new>
 #include <utility>
 
-#include "job_news.h"
+#include "job_messages.h"
 #include "job_watch.h"
 #include "meristem/base/large_memory.h"
 #include "meristem/base/visible_text.h"
@@ -95,7 +95,7 @@ Value component_counts(const MeshScene& scene) {
 }
 
 /// Returns true if a draft must come first, because the plant has many triangles.
-bool is_large(const GrownWish& grown, const ShownParts& parts) {
+bool is_large(const GrownPlant& grown, const ShownParts& parts) {
   if (!parts.surface || parts.drag_triangles >= parts.rest_triangles) return false;
   return static_cast<double>(grown.about_triangles) > kLarge * static_cast<double>(parts.drag_triangles);
 }
@@ -118,14 +118,14 @@ void Grower::leave() {
   stopped_ = Stopped::nothing;
   is_other_ = true;
   grown_ = nullptr;
-  done_ = wished_;
+  done_ = requested_;
 }
 
-void Grower::open(Wish wish) {
+void Grower::open(GrowthRequest request) {
   const std::lock_guard lock(mutex_);
   if (running_ != nullptr) running_->cancel();
-  wish_ = std::move(wish);
-  ++wished_;
+  request_ = std::move(request);
+  ++requested_;
   last_input_ = {};
   grown_ = nullptr;
   shown_ = {};
@@ -135,11 +135,11 @@ void Grower::open(Wish wish) {
   schedule();
 }
 
-void Grower::want(Wish wish, bool at_once) {
+void Grower::want(GrowthRequest request, bool at_once) {
   const std::lock_guard lock(mutex_);
   if (at_once && running_ != nullptr) running_->cancel();
-  wish_ = std::move(wish);
-  ++wished_;
+  request_ = std::move(request);
+  ++requested_;
   last_input_ = Clock::now();
   schedule();
 }
@@ -148,7 +148,7 @@ void Grower::set_parts(const ShownParts& parts) {
   const std::lock_guard lock(mutex_);
   if (parts == parts_) return;
   if (parts.time != parts_.time || parts.view() != parts_.view()) {
-    ++wished_;
+    ++requested_;
     last_input_ = Clock::now();
   }
   parts_ = parts;
@@ -179,14 +179,14 @@ void Grower::send_all() {
 void Grower::cancel() {
   const std::lock_guard lock(mutex_);
   if (running_ != nullptr) running_->cancel();
-  done_ = wished_;
+  done_ = requested_;
 }
 
 void Grower::go_on() {
   const std::lock_guard lock(mutex_);
   const Stopped stopped = std::exchange(stopped_, Stopped::nothing);
   if (stopped == Stopped::nothing) return;
-  if (stopped == Stopped::growth) ++wished_;
+  if (stopped == Stopped::growth) ++requested_;
   if (stopped == Stopped::meshing) shown_ = {};
   schedule();
 }
@@ -203,14 +203,14 @@ void Grower::close() {
   if (running_ != nullptr) running_->cancel();
 }
 
-std::shared_ptr<const GrownWish> Grower::grown() const {
+std::shared_ptr<const GrownPlant> Grower::grown() const {
   const std::lock_guard lock(mutex_);
   return grown_;
 }
 
 void Grower::ask(std::function<void(const LastGrown* last)> question) {
   host_.growth.post([self = shared_from_this(), question = std::move(question)] {
-    const std::shared_ptr<const GrownWish> grown = self->grown();
+    const std::shared_ptr<const GrownPlant> grown = self->grown();
     if (grown == nullptr) return question(nullptr);
     const LastGrown last{*grown, self->whole_meshes(*grown), self->cache_};
     question(&last);
@@ -236,17 +236,17 @@ void Grower::work() {
 /// Runs a part of the work and reports its progress. Faults and limits are sent as messages.
 template <class Work>
 void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
-  JobNews news(outbox_, "grow");
-  JobWatch watch(news.progress(), host_.limits);
+  JobMessages messages(outbox_, "grow");
+  JobWatch watch(messages.progress(), host_.limits);
   const std::uint64_t number = [&] {
     const std::lock_guard lock(mutex_);
-    running_ = &news.progress();
+    running_ = &messages.progress();
     // The request to continue growing is kept while older results are shown.
     if (if_stopped == Stopped::growth || stopped_ == Stopped::meshing) stopped_ = Stopped::nothing;
-    return wished_;
+    return requested_;
   }();
   try {
-    work(news);
+    work(messages);
   } catch (const Cancelled&) {
     if (const std::optional<Refusal> limit = watch.reached()) {
       Value::Object members = limit->members();
@@ -254,7 +254,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
       members.emplace_back("continues", can_go_on);
       if (can_go_on) {
         const std::lock_guard lock(mutex_);
-        if (wished_ == number && !is_other_ && stopped_ == Stopped::nothing) stopped_ = if_stopped;
+        if (requested_ == number && !is_other_ && stopped_ == Stopped::nothing) stopped_ = if_stopped;
       }
       send_failure(hash, limit->what(), std::move(members));
     }
@@ -267,7 +267,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
   }
   const std::lock_guard lock(mutex_);
   running_ = nullptr;
-  if (wished_ != number) schedule();
+  if (requested_ != number) schedule();
 }
 
 void Grower::send_failure(const std::string& hash, const std::string& message, Value::Object members) {
@@ -275,24 +275,24 @@ void Grower::send_failure(const std::string& hash, const std::string& message, V
     const std::lock_guard lock(mutex_);
     if (is_closed_ || is_other_) return;
   }
-  Value::Object news{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", visible_lines(message)}};
-  for (auto& member : members) news.push_back(std::move(member));
-  outbox_->send_text(write_json_line(news));
+  Value::Object failed{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", visible_lines(message)}};
+  for (auto& member : members) failed.push_back(std::move(member));
+  outbox_->send_text(write_json_line(failed));
 }
 
 void Grower::grow() {
-  Wish wish;
+  GrowthRequest request;
   double time = 0;
   GrowthView view;
   std::uint64_t number = 0;
   bool is_first = false;  // of another document
   {
     const std::lock_guard lock(mutex_);
-    if (done_ == wished_ || is_paused_ || wish_.document == nullptr) return;
-    wish = wish_;
+    if (done_ == requested_ || is_paused_ || request_.document == nullptr) return;
+    request = request_;
     time = parts_.time;
     view = parts_.view();
-    number = wished_;
+    number = requested_;
     done_ = number;  // counts as done even if it fails
     is_first = std::exchange(is_other_, false);
     if (is_first) {
@@ -302,24 +302,24 @@ void Grower::grow() {
     }
   }
   if (is_first) give_back_memory();
-  run(wish.hash, Stopped::growth, [&](JobNews& news) {
-    const std::shared_ptr<const Document> document = standing_at(wish.document, time, news.progress());
-    GrownDocument grown = grow_document(*document, news.progress(),
+  run(request.hash, Stopped::growth, [&](JobMessages& messages) {
+    const std::shared_ptr<const Document> document = standing_at(request.document, time, messages.progress());
+    GrownDocument grown = grow_document(*document, messages.progress(),
                                         {.time = time, .up_to = GrownPart::plant, .cache = &cache_, .view = view});
-    if (wish.is_dragged) pictures_.lend(document->graph, grown.plant.materials);
+    if (request.is_dragged) pictures_.lend(document->graph, grown.plant.materials);
     grown.up_to = GrownPart::meshes;  // meshes are made later, when their permitted detail is known
-    complete_growth(*document, grown, news.progress(), {.time = time, .cache = &cache_});
-    auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish,
-                                                      .time = time,
-                                                      .document = document,
-                                                      .view = view,
-                                                      .plant = std::move(grown.plant),
-                                                      .traces = std::move(grown.traces)});
+    complete_growth(*document, grown, messages.progress(), {.time = time, .cache = &cache_});
+    auto made = std::make_shared<GrownPlant>(GrownPlant{.request = request,
+                                                        .time = time,
+                                                        .document = document,
+                                                        .view = view,
+                                                        .plant = std::move(grown.plant),
+                                                        .traces = std::move(grown.traces)});
     made->about_triangles = static_cast<std::uint64_t>(about_triangles(made->plant));
-    stages_ = news.stages();
+    stages_ = messages.stages();
     grown_reuse_ = reuse_of(cache_);
-    if (!wish.is_dragged && document->scene.fingerprint) {
-      made->placed = instance_counts(document->graph, document->scene, time, news.progress(), &cache_, view);
+    if (!request.is_dragged && document->scene.fingerprint) {
+      made->placed = instance_counts(document->graph, document->scene, time, messages.progress(), &cache_, view);
     }
     const std::lock_guard lock(mutex_);
     if (!is_other_) grown_ = std::move(made);
@@ -342,8 +342,8 @@ void Grower::show() {
     // A slow page sees a draft late. The time until full detail then starts when it has shown the draft.
     const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
     // A single edit is shown in full at once. So is a drag that moves nothing, for example of a colour.
-    const bool moves = grown_->wish.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
-                                                    have_same_shape(shown_.grown->plant, grown_->plant));
+    const bool moves = grown_->request.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
+                                                       have_same_shape(shown_.grown->plant, grown_->plant));
     sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
     const bool waits = sight.is_draft;
     if (forgets_ && is_large(*grown_, parts_)) sight.is_draft = true;
@@ -363,13 +363,13 @@ void Grower::show() {
     pictures_.clear();
   }
   bool is_sent = false;
-  run(sight.grown->wish.hash, Stopped::meshing, [&](JobNews& news) {
+  run(sight.grown->request.hash, Stopped::meshing, [&](JobMessages& messages) {
     const ShownParts& parts = sight.parts;
     double share = 1;
     std::shared_ptr<const MeshScene> meshes;
     std::uint64_t all = sight.grown->about_triangles;
     if (parts.surface) {
-      make_meshes(sight, news.progress());
+      make_meshes(sight, messages.progress());
       all = meshes_->triangles;
       if (!meshes_->is_whole) share = share_of(sight.budget(), all);
       meshes = with_shown_pictures(*sight.grown);
@@ -379,17 +379,18 @@ void Grower::show() {
         packets_.next({.meshes = meshes.get(),
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
                        .most_segments = static_cast<std::size_t>(sight.budget()),
-                       .obstacles = parts.surface ? &obstacles_of(*sight.grown, news.progress()) : nullptr,
+                       .obstacles = parts.surface ? &obstacles_of(*sight.grown, messages.progress()) : nullptr,
                        .scene = &sight.grown->document->scene},
-                      {.hash = sight.grown->wish.hash,
+                      {.hash = sight.grown->request.hash,
                        .is_draft = sight.is_draft,
                        .fits = fits,
                        .share = share,
                        .all = {.triangles = all, .instances = totals.organs + totals.stems, .nodes = totals.nodes}},
-                      news.progress());
+                      messages.progress());
     std::vector<std::pair<std::string, double>> stages = std::exchange(stages_, {});
-    for (auto& stage : news.stages()) stages.push_back(std::move(stage));
-    Value::Object told{{"is", "grown"}, {"hash", sight.grown->wish.hash}, {"dragged", sight.grown->wish.is_dragged}};
+    for (auto& stage : messages.stages()) stages.push_back(std::move(stage));
+    Value::Object told{
+        {"is", "grown"}, {"hash", sight.grown->request.hash}, {"dragged", sight.grown->request.is_dragged}};
     Value::List times;
     for (const auto& [name, milliseconds] : stages)
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
@@ -407,7 +408,7 @@ void Grower::show() {
   fits_ = fits_ || (fits && !is_sent);
 }
 
-Value::Object Grower::counts_value(const GrownWish& grown) const {
+Value::Object Grower::counts_value(const GrownPlant& grown) const {
   const PlantTotals totals = totals_of(grown.plant);
   Value::Object counts{{"nodes", number_value(totals.nodes)}};
   const MeshScene* const whole = whole_meshes(grown);
@@ -428,7 +429,7 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
 }
 
 /// Returns the meshes of obstacles. They are made once for each list of bodies, which equal documents share.
-const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress) {
+const MeshScene& Grower::obstacles_of(const GrownPlant& grown, Progress& progress) {
   const Obstacles& obstacles = grown.document->scene.obstacles;
   if (&obstacles.bodies() != &obstacles_.bodies()) {
     obstacle_meshes_ = obstacle_meshes(obstacles, progress);
@@ -438,7 +439,7 @@ const MeshScene& Grower::obstacles_of(const GrownWish& grown, Progress& progress
 }
 
 /// Returns the last meshes if they show the whole plant, else null.
-const MeshScene* Grower::whole_meshes(const GrownWish& grown) const {
+const MeshScene* Grower::whole_meshes(const GrownPlant& grown) const {
   return meshes_of_.get() == &grown && meshes_->is_whole ? &meshes_->scene : nullptr;
 }
 
@@ -453,7 +454,7 @@ void Grower::make_meshes(const Sight& sight, Progress& progress) {
 }
 
 /// Returns the last meshes. Pictures that the page has replace pictures that look alike.
-std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown) {
+std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownPlant& grown) {
   std::shared_ptr<const MeshScene> scene(meshes_, &meshes_->scene);
   std::vector<Material> materials = scene->materials;
   if (!pictures_.keep(grown.document->graph, materials)) return scene;

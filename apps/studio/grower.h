@@ -24,18 +24,18 @@
 
 namespace meristem::studio {
 
-class JobNews;
+class JobMessages;
 
 /// A state of the document to grow.
-struct Wish {
+struct GrowthRequest {
   std::shared_ptr<const Document> document;
   std::string hash;         ///< hash of its text
   bool is_dragged = false;  ///< true: with values of a drag
 };
 
 /// The grown plant of a state.
-struct GrownWish {
-  Wish wish;
+struct GrownPlant {
+  GrowthRequest request;
   double time = 0;                           ///< seconds, of the document
   std::shared_ptr<const Document> document;  ///< the state's document at that time, which has grown
   GrowthView view{};
@@ -49,7 +49,7 @@ struct GrownWish {
 
 /// The last grown plant, as a question receives it.
 struct LastGrown {
-  const GrownWish& grown;
+  const GrownPlant& grown;
   const MeshScene* meshes;  ///< meshes of the whole plant; null if they have not been made, as during a drag
   GrowthCache& cache;       ///< cache of that growth
 };
@@ -79,9 +79,9 @@ class Grower : public std::enable_shared_from_this<Grower> {
   /// Prepares for another document: stops the running growth, and sends nothing more of the present document.
   void leave();
   /// Begins with another document. The page must already know that it has another document.
-  void open(Wish wish);
+  void open(GrowthRequest request);
   /// Sets the state to grow. If `at_once`, as at the end of a drag, a running growth is stopped.
-  void want(Wish wish, bool at_once = false);
+  void want(GrowthRequest request, bool at_once = false);
   /// Sets the parts to show. Inputs that do not change the growth prolong the drafts.
   void set_parts(const ShownParts& parts);
   ShownParts parts() const;
@@ -101,14 +101,14 @@ class Grower : public std::enable_shared_from_this<Grower> {
   /// growth.
   void ask(std::function<void(const LastGrown* last)> question);
   /// Returns the last grown plant, or null before the first growth.
-  std::shared_ptr<const GrownWish> grown() const;
+  std::shared_ptr<const GrownPlant> grown() const;
 
  private:
   using Clock = Worker::Clock;
 
   /// The content of a packet.
   struct Sight {
-    std::shared_ptr<const GrownWish> grown;
+    std::shared_ptr<const GrownPlant> grown;
     ShownParts parts;
     bool is_draft = false;
 
@@ -129,22 +129,22 @@ class Grower : public std::enable_shared_from_this<Grower> {
 
   // Used only by the worker's thread.
   void make_meshes(const Sight& sight, Progress& progress);
-  std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown);
-  const MeshScene& obstacles_of(const GrownWish& grown, Progress& progress);
-  const MeshScene* whole_meshes(const GrownWish& grown) const;
-  Value::Object counts_value(const GrownWish& grown) const;
+  std::shared_ptr<const MeshScene> with_shown_pictures(const GrownPlant& grown);
+  const MeshScene& obstacles_of(const GrownPlant& grown, Progress& progress);
+  const MeshScene* whole_meshes(const GrownPlant& grown) const;
+  Value::Object counts_value(const GrownPlant& grown) const;
 
   Host& host_;
   const std::shared_ptr<Outbox> outbox_;
 
   mutable std::mutex mutex_;  // guards the members below
-  Wish wish_;
+  GrowthRequest request_;
   ShownParts parts_;
-  std::uint64_t wished_ = 0;  // number of the newest request
-  std::uint64_t done_ = 0;    // number of the last request that has grown or failed
+  std::uint64_t requested_ = 0;  // number of the newest request
+  std::uint64_t done_ = 0;       // number of the last request that has grown or failed
   Clock::time_point last_input_{};
   Clock::time_point last_seen_{};  // time when the page last showed a draft
-  std::shared_ptr<const GrownWish> grown_;
+  std::shared_ptr<const GrownPlant> grown_;
   Sight shown_;
   std::uint64_t awaited_ = 0;  // number of the packet on its way; 0: no packet
   Progress* running_ = nullptr;
@@ -158,8 +158,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
 
   // Used only by the worker's thread.
   GrowthCache cache_;
-  std::array<GrowthCache, 2> mesh_caches_;      // caches of the meshes at rest and of drafts
-  std::shared_ptr<const GrownWish> meshes_of_;  // the plant whose meshes were made last
+  std::array<GrowthCache, 2> mesh_caches_;       // caches of the meshes at rest and of drafts
+  std::shared_ptr<const GrownPlant> meshes_of_;  // the plant whose meshes were made last
   std::shared_ptr<const ViewMeshes> meshes_;
   std::vector<std::pair<std::string, double>> stages_;
   std::vector<ReuseCount> grown_reuse_;    // reuse of the last growth, until it is reported

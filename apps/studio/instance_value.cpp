@@ -86,32 +86,32 @@ Value::Object described(const std::string& component, const FoundInstance& found
 
 /// Returns the facts about a part of the plant, including its shoot if it is on one. Returns null if the instance is
 /// unknown.
-Value told_instance(const GrownWish& grown, const InstanceWish& wish, const ShootPlace& place, Progress& progress,
+Value told_instance(const GrownPlant& grown, const InstanceWish& request, const ShootPlace& place, Progress& progress,
                     GrowthCache& cache) {
   const Document& document = *grown.document;
-  const auto found = find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
+  const auto found = find_instance(document.graph, document.scene, grown.time, request, progress, &cache, grown.view);
   if (!found) return {};
-  Value::Object told = described(wish.component, *found);
+  Value::Object told = described(request.component, *found);
   Value::Object shoot = place.stem != nullptr ? shoot_value(place) : Value::Object{{"shoot", Value()}};
   for (Value::Member& member : shoot) told.push_back(std::move(member));
-  const auto prototype = std::ranges::find(document.graph.components, wish.component, &Prototype::id);
+  const auto prototype = std::ranges::find(document.graph.components, request.component, &Prototype::id);
   const auto last = prototype != document.graph.components.end() ? last_iteration(*prototype) : std::nullopt;
   told.emplace_back("iteration", last ? Value(*last) : Value());
   return told;
 }
 
-Value told_shoot(const GrownWish& grown, const std::string& component, const ShootPlace& place, Progress& progress,
+Value told_shoot(const GrownPlant& grown, const std::string& component, const ShootPlace& place, Progress& progress,
                  GrowthCache& cache) {
-  const InstanceWish wish{
+  const InstanceWish request{
       .component = component, .of = InstanceWish::Of::stem, .number = place.stem->part(place.axis).instance};
-  return told_instance(grown, wish, place, progress, cache);
+  return told_instance(grown, request, place, progress, cache);
 }
 
-std::optional<FoundInstance> first_instance(const GrownWish& grown, const std::string& component, Progress& progress,
+std::optional<FoundInstance> first_instance(const GrownPlant& grown, const std::string& component, Progress& progress,
                                             GrowthCache& cache) {
   const Document& document = *grown.document;
-  const InstanceWish wish{.component = component, .of = InstanceWish::Of::instance};
-  return find_instance(document.graph, document.scene, grown.time, wish, progress, &cache, grown.view);
+  const InstanceWish request{.component = component, .of = InstanceWish::Of::instance};
+  return find_instance(document.graph, document.scene, grown.time, request, progress, &cache, grown.view);
 }
 
 /// Returns the value of an expression that uses only the document's variables. Returns nothing for other expressions,
@@ -131,7 +131,7 @@ std::optional<double> constant_of(const std::string& text, const ExpressionNames
 
 std::string instance_key(const Site& site) { return fmt::format("{:016x}", site.key.bits()); }
 
-Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
+Value instance_value(const GrownPlant& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache) {
   const bool is_in_world = request.frame.axes == Mat3(1) && request.frame.origin == Vec3(0);
   const ShootPlace place = is_in_world ? nearest_shoot(grown.plant, request.component, request.position) : ShootPlace();
   if (place.stem != nullptr) return told_shoot(grown, request.component, place, progress, cache);
@@ -140,14 +140,14 @@ Value instance_value(const GrownWish& grown, const InstanceRequest& request, Pro
   return told_instance(grown, {.component = request.component, .number = *number}, {}, progress, cache);
 }
 
-Value shoot_instance_value(const GrownWish& grown, const ShootRequest& request, Progress& progress,
+Value shoot_instance_value(const GrownPlant& grown, const ShootRequest& request, Progress& progress,
                            GrowthCache& cache) {
-  const ShootPlace place = wished_shoot(grown.plant, request);
+  const ShootPlace place = requested_shoot(grown.plant, request);
   if (place.stem == nullptr) return {};
   return told_shoot(grown, request.component, place, progress, cache);
 }
 
-Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
+Value stand_value(const GrownPlant& grown, const std::string& component, Progress& progress, GrowthCache& cache) {
   const auto found = first_instance(grown, component, progress, cache);
   if (!found) return {};
   Value::List rows;
@@ -158,7 +158,7 @@ Value stand_value(const GrownWish& grown, const std::string& component, Progress
   return rows;
 }
 
-Value worked_out_value(const GrownWish& grown, const WorkedOutRequest& request, Progress& progress,
+Value worked_out_value(const GrownPlant& grown, const WorkedOutRequest& request, Progress& progress,
                        GrowthCache& cache) {
   std::map<std::string, double> of_instance;
   if (request.component) {

@@ -18,20 +18,22 @@ std::string instance_key(const Site& site);
 
 /// Returns the instance that made the visible part. Returns null if the instance is unknown, as for plants of other
 /// documents. Throws what find_instance throws.
-Value instance_value(const GrownWish& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache);
+Value instance_value(const GrownPlant& grown, const InstanceRequest& request, Progress& progress, GrowthCache& cache);
 
 /// Returns the instance of the shoot that the request names, or of a neighbouring shoot. Returns null if that shoot
 /// does not exist.
-Value shoot_instance_value(const GrownWish& grown, const ShootRequest& request, Progress& progress, GrowthCache& cache);
+Value shoot_instance_value(const GrownPlant& grown, const ShootRequest& request, Progress& progress,
+                           GrowthCache& cache);
 
 /// Returns the frame of the site on which the first instance of a component stands, before the component's own `frame`.
 /// The frame has 12 numbers, three rows of [axes, origin]. Returns null if there is no instance. Throws what
 /// find_instance throws.
-Value stand_value(const GrownWish& grown, const std::string& component, Progress& progress, GrowthCache& cache);
+Value stand_value(const GrownPlant& grown, const std::string& component, Progress& progress, GrowthCache& cache);
 
 /// Returns the values of expressions, by their paths. An expression that differs from instance to instance is evaluated
 /// at the first instance of the component, any other one with the variables of the document. Expressions with an
 /// unknown value are omitted. Throws what find_instance throws.
-Value worked_out_value(const GrownWish& grown, const WorkedOutRequest& request, Progress& progress, GrowthCache& cache);
+Value worked_out_value(const GrownPlant& grown, const WorkedOutRequest& request, Progress& progress,
+                       GrowthCache& cache);
 
 }  // namespace meristem::studio

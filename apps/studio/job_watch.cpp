@@ -31,14 +31,14 @@ JobWatch::~JobWatch() {
     const std::lock_guard lock(mutex_);
     ends_ = true;
   }
-  news_.notify_one();
+  changed_.notify_one();
   thread_.join();
 }
 
 void JobWatch::run() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(time_.seconds);
   std::unique_lock lock(mutex_);
-  while (!news_.wait_for(lock, kBetweenLooks, [this] { return ends_; })) {
+  while (!changed_.wait_for(lock, kBetweenLooks, [this] { return ends_; })) {
     if (std::chrono::steady_clock::now() >= end) {
       reached_ = Limit::time;
     } else if (memory_in_use() > limits_.memory_bytes) {

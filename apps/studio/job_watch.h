@@ -44,7 +44,7 @@ class JobWatch {
   const TimeLimit time_;
   std::atomic<Limit> reached_{Limit::none};
   std::mutex mutex_;
-  std::condition_variable news_;
+  std::condition_variable changed_;
   bool ends_ = false;
   std::thread thread_;
 };

@@ -76,11 +76,11 @@ Value SweepMaker::one(const SweepSource& source, const SweepRequest& request, do
 }
 
 Value SweepMaker::make(const SweepSource& source, const SweepRequest& request, const Registry& registry,
-                       JobNews& news) {
+                       JobMessages& messages) {
   Value::List list;
   for (std::size_t k = 0; k < request.values.size(); ++k) {
-    news.begin_part("plant", k, request.values.size());
-    list.push_back(one(source, request, request.values[k], registry, news.progress()));
+    messages.begin_part("plant", k, request.values.size());
+    list.push_back(one(source, request, request.values[k], registry, messages.progress()));
   }
   return list;
 }

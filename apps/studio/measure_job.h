@@ -7,7 +7,7 @@
 
 #include "grower.h"
 #include "host.h"
-#include "job_news.h"
+#include "job_messages.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/table/read_store.h"
 #include "meristem/graph/table/value.h"
@@ -21,7 +21,7 @@ Value measure_rows_value();
 /// The source of a measurement: a document, and its grown plant if there is one.
 struct MeasureSource {
   std::shared_ptr<const Document> document;  ///< document at the time
-  std::shared_ptr<const GrownWish> grown;    ///< grown plant of the same document and time; null: the document is grown
+  std::shared_ptr<const GrownPlant> grown;   ///< grown plant of the same document and time; null: the document is grown
                                              ///< again
   double time = 0;                           ///< seconds, of the document
 };
@@ -43,7 +43,7 @@ class SweepMaker {
  public:
   /// Returns a list with an object per value: {"value", "measures"}, or {"value", "faults"} if the document has faults
   /// with the value. Throws Cancelled.
-  Value make(const SweepSource& source, const SweepRequest& request, const Registry& registry, JobNews& news);
+  Value make(const SweepSource& source, const SweepRequest& request, const Registry& registry, JobMessages& messages);
 
  private:
   Value one(const SweepSource& source, const SweepRequest& request, double value, const Registry& registry,

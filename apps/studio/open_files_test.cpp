@@ -54,9 +54,9 @@ TEST(OpenFileWatch, AnnouncesASecondPageToBoth) {
   second.receive(R"({"do": "open", "id": 1, "path": "bush.json"})");
   const auto is_elsewhere = [](const Value& message) { return Studio::text_of(message, "is") == "elsewhere"; };
   for (Mailbox* mailbox : {second_mailbox.get(), &studio.mailbox()}) {
-    const Value news = mailbox->wait_for(is_elsewhere);
-    EXPECT_EQ(Studio::text_of(news, "path"), "bush.json");
-    EXPECT_EQ(*news.find("count")->number(), 1);
+    const Value message = mailbox->wait_for(is_elsewhere);
+    EXPECT_EQ(Studio::text_of(message, "path"), "bush.json");
+    EXPECT_EQ(*message.find("count")->number(), 1);
   }
   second.receive(R"({"do": "open", "id": 2, "model": "sunflower"})");
   studio.mailbox().wait_for(

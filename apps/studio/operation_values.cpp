@@ -60,7 +60,7 @@ Value place_value(const OperationRecord& record, const Value::List& course) {
 
 }  // namespace
 
-Value operations_value(const GrownWish& grown, const OperationsRequest& request, const Progress& progress) {
+Value operations_value(const GrownPlant& grown, const OperationsRequest& request, const Progress& progress) {
   const auto prototype = std::ranges::find(grown.document->graph.components, request.component, &Prototype::id);
   if (prototype == grown.document->graph.components.end()) return {};
   const std::optional<int> last = last_iteration(*prototype);

@@ -11,6 +11,6 @@ namespace meristem::studio {
 
 /// Returns {"iteration", "acts", "places", "left"}: how often each operation acted after each iteration, and where the
 /// requested operation acted. Takes time in proportion to the nodes and records of the plant. Throws Cancelled.
-Value operations_value(const GrownWish& grown, const OperationsRequest& request, const Progress& progress);
+Value operations_value(const GrownPlant& grown, const OperationsRequest& request, const Progress& progress);
 
 }  // namespace meristem::studio

@@ -65,7 +65,7 @@ Value overlays_value(const LastGrown& last, const OverlaysRequest& request, cons
                      PacketArrays& arrays) {
   std::vector<OverlayPart> parts;
   for (const std::string& name : request.parts) parts.push_back(overlay_part_named(name, "the studio"));
-  const GrownWish& grown = last.grown;
+  const GrownPlant& grown = last.grown;
   const Box box = last.meshes != nullptr ? last.meshes->bounds() : bounds(grown.plant);
   const OverlaySource source{grown.plant, grown.traces, grown.document->scene, grown.document->graph.limits, box};
   Value::List layers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests of the page, defined by protocol.md, and their reader.
+// The requests of the page and their reader. The tables in protocol/ describe their members in messages.
 #pragma once
 
 #include <cstdint>
@@ -220,7 +220,7 @@ struct NumberedRequest {
 /// Returns the number of a message that is otherwise invalid, for its refusal. Returns nothing if it has no number.
 std::optional<double> request_id(std::string_view message) noexcept;
 
-/// Reads a request. Throws a Refusal for everything that protocol.md does not allow.
+/// Reads a request. Throws a Refusal for messages that are not as the protocol describes them.
 NumberedRequest read_request(std::string_view message);
 
 }  // namespace meristem::studio

@@ -65,7 +65,7 @@ constexpr std::chrono::milliseconds kMaxEnding{800};         // from a signal un
 constexpr std::size_t kMostWaiting = 64;                     // messages of a page that wait to be handled
 constexpr std::size_t kMostQueuedBytes = 512'000'000;        // for a page that does not read
 constexpr std::uint64_t kMostBeyond = 1'000'000;
-constexpr std::size_t kMostQueuedNews = 64;  // with more messages, progress is not reported
+constexpr std::size_t kMaxQueuedMessages = 64;  // with more messages, progress is not reported
 
 class SocketConnection;
 class HttpConnection;
@@ -112,7 +112,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
 
   void enqueue(bool is_text, std::string message) {
     if (!is_open_) return;
-    if (is_text && queue_.size() >= kMostQueuedNews && is_progress(message)) return;
+    if (is_text && queue_.size() >= kMaxQueuedMessages && is_progress(message)) return;
     queued_bytes_ += message.size();
     queue_.emplace_back(is_text, std::move(message));
     if (queued_bytes_ > kMostQueuedBytes) return close(websocket::close_code::policy_error, "the page does not read");

@@ -12,7 +12,7 @@
 #include "film_job.h"
 #include "grammar_job.h"
 #include "instance_value.h"
-#include "job_news.h"
+#include "job_messages.h"
 #include "job_watch.h"
 #include "meristem/base/large_memory.h"
 #include "meristem/base/visible_text.h"
@@ -53,21 +53,21 @@ void send_done(Outbox& outbox, Value::Object done, PackedMember packed) {
 }
 
 /// Answers a request with the result of `work`, or with the reason for its failure. Work with many parts, such as a
-/// film or a sweep, gets the JobNews; other work gets its progress.
+/// film or a sweep, gets the JobMessages; other work gets its progress.
 template <class Work>
 void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& jobs, const AskedJobs::Job& asked,
                const Job& job, Work& work) {
-  constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobNews&>;
+  constexpr bool kHasParts = std::is_invocable_v<Work&, Host&, JobMessages&>;
   const double id = asked->request;
-  JobNews news(outbox, job.name, id);
-  if (!jobs.begin(asked, news.progress())) return;
-  JobWatch watch(news.progress(), host.limits, job.time);
+  JobMessages messages(outbox, job.name, id);
+  if (!jobs.begin(asked, messages.progress())) return;
+  JobWatch watch(messages.progress(), host.limits, job.time);
   try {
     Value::Object done{{"is", "done"}, {"re", id}};
     if constexpr (kHasParts) {
-      send_done(*outbox, std::move(done), work(host, news));
+      send_done(*outbox, std::move(done), work(host, messages));
     } else {
-      send_done(*outbox, std::move(done), work(host, news.progress()));
+      send_done(*outbox, std::move(done), work(host, messages.progress()));
     }
   } catch (const Cancelled&) {
     const std::optional<Refusal> limit = watch.reached();
@@ -125,9 +125,9 @@ std::shared_ptr<const Document> StudioSession::document_for(double id, const Exp
 }
 
 /// Returns the grown plant if it fits the options and is fully grown, not at an earlier step. Returns null otherwise.
-std::shared_ptr<const GrownWish> StudioSession::grown_for(const ExportOptions& options) const {
-  std::shared_ptr<const GrownWish> grown = grower_->grown();
-  const bool fits = grown != nullptr && grown->wish.hash == hash_ && !grown->wish.is_dragged && !options.seed &&
+std::shared_ptr<const GrownPlant> StudioSession::grown_for(const ExportOptions& options) const {
+  std::shared_ptr<const GrownPlant> grown = grower_->grown();
+  const bool fits = grown != nullptr && grown->request.hash == hash_ && !grown->request.is_dragged && !options.seed &&
                     grown->time == options.time && !grown->view.step;
   return fits ? grown : nullptr;
 }
@@ -160,8 +160,8 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const SweepRe
   // Each plant of the sweep has the time of one measurement.
   const TimeLimit time{host_.limits.job_seconds * static_cast<double>(request.values.size()), "job_seconds"};
   run_newest(id, {"sweep", time}, sweeps_, host_.exports,
-             [source, request, maker = sweep_maker_](Host& host, JobNews& news) -> Value::Member {
-               return {"sweep", maker->make(source, request, host.registry, news)};
+             [source, request, maker = sweep_maker_](Host& host, JobMessages& messages) -> Value::Member {
+               return {"sweep", maker->make(source, request, host.registry, messages)};
              });
   return std::nullopt;
 }
@@ -254,12 +254,13 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
     source.grown = grown_for(request.options);
   }
   if (has_frames(request.options)) {
-    run_later(id, {"export", TimeLimit{host_.limits.film_seconds, "film_seconds"}}, host_.films,
-              [source = std::move(source), options = request.options](Host& host, JobNews& news) -> Value::Member {
-                Value file = export_frames(source, options, host.downloads, news);
-                give_back_memory();
-                return {"file", std::move(file)};
-              });
+    run_later(
+        id, {"export", TimeLimit{host_.limits.film_seconds, "film_seconds"}}, host_.films,
+        [source = std::move(source), options = request.options](Host& host, JobMessages& messages) -> Value::Member {
+          Value file = export_frames(source, options, host.downloads, messages);
+          give_back_memory();
+          return {"file", std::move(file)};
+        });
     return std::nullopt;
   }
   run_later(id, {"export"}, host_.exports,

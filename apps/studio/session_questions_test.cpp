@@ -112,13 +112,13 @@ TEST(StudioSession, ShowsStepsOfOneGrowthWithTheirOverlays) {
   Studio studio;
   const Value opened = studio.ask("open", kColonizedTree);
   const std::string hash = Studio::text_of(opened, "hash");
-  const auto news_of = [&](const std::string& growth) {
+  const auto show_growth = [&](const std::string& growth) {
     studio.ask("view", "\"growth\": " + growth);
     studio.show(hash);
   };
   studio.show(hash);
-  news_of(R"({"step": null, "recorded": true})");
-  news_of(R"({"step": 7, "recorded": true})");
+  show_growth(R"({"step": null, "recorded": true})");
+  show_growth(R"({"step": 7, "recorded": true})");
   const Value grown = studio.mailbox().wait_for([](const Value& message) {
     const Value* step = message.find("step");
     return step != nullptr && *message.find("is") == Value("grown") && *step == Value(7);

@@ -185,7 +185,7 @@ ShootPlace nearest_shoot(const Plant& plant, const std::string& component, Vec3 
   return nearest;
 }
 
-ShootPlace wished_shoot(const Plant& plant, const ShootRequest& request) {
+ShootPlace requested_shoot(const Plant& plant, const ShootRequest& request) {
   const bool is_sideways = request.go == Go::next || request.go == Go::previous;
   if (!request.of || (is_sideways && request.of->shoot == "main")) {
     const MainShoots all = main_shoots(plant, request);

@@ -23,6 +23,6 @@ ShootPlace nearest_shoot(const Plant& plant, const std::string& component, Vec3 
 
 /// Returns the shoot that the request names, or its neighbour in the requested direction. Takes time in proportion to
 /// the nodes of the plant.
-ShootPlace wished_shoot(const Plant& plant, const ShootRequest& request);
+ShootPlace requested_shoot(const Plant& plant, const ShootRequest& request);
 
 }  // namespace meristem::studio

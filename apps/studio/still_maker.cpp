@@ -77,7 +77,7 @@ bool have_one_recipe(const Prototype* one, const Prototype* other) {
 
 /// Replaces unpainted textures by pictures that were painted from an equal recipe. On another shape they are slightly
 /// displaced, which is invisible in a small picture.
-void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Material>& materials) {
+void lend_pictures(const GrownPlant& painted, const Graph& graph, std::vector<Material>& materials) {
   for (Material& material : materials) {
     if (material.texture == nullptr || material.texture->is_painted()) continue;
     const auto known = std::ranges::find(painted.plant.materials, material.name, &Material::name);

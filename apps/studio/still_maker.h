@@ -23,9 +23,9 @@ struct StillSource {
   std::string file;  ///< absolute path
   std::string root;
   std::string models;
-  double time = 0;                           ///< seconds, of the document
-  std::shared_ptr<const GrownWish> grown{};  ///< grown plant of the same document; its painted pictures are reused
-                                             ///< where they fit
+  double time = 0;                            ///< seconds, of the document
+  std::shared_ptr<const GrownPlant> grown{};  ///< grown plant of the same document; its painted pictures are reused
+                                              ///< where they fit
 };
 
 /// Keeps results that the states of a document share, and the grown plant of each state, up to some hundred megabytes.

@@ -118,7 +118,7 @@ class StudioSession {
   void cancel_jobs(std::optional<double> request = {});
   void refuse_cancelled(const std::vector<double>& requests);
   std::shared_ptr<const Document> document_for(double id, const ExportOptions& options);
-  std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
+  std::shared_ptr<const GrownPlant> grown_for(const ExportOptions& options) const;
   std::string name_for(const ExportOptions& options);
 
   Host& host_;

@@ -10,12 +10,17 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
+#include "protocol/conversation.h"
+#include "refusal.h"
 #include "studio_session.h"
 #include "tests/support/shown_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -35,16 +40,26 @@ inline const std::string kBush = R"json({
 }
 )json";
 
-/// Collects the messages to the page, in order.
+/// Collects the messages to the page, in order. Each message must be as the protocol describes it.
 class Mailbox : public Outbox {
  public:
+  /// Records the name of a request, whose answer is compared with its description.
+  void expect_answer(double id, const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    conversation_.take(Value::Object{{"do", name}, {"id", id}});
+  }
+  /// Returns the names of the requests that were answered and not refused.
+  std::set<std::string> answered() {
+    const std::lock_guard lock(mutex_);
+    return conversation_.answered();
+  }
   /// Returns the first message for which `holds` is true. Waits for it if necessary.
   template <class Holds>
   Value wait_for(Holds holds) {
     std::unique_lock lock(mutex_);
     for (std::size_t k = 0;; ++k) {
       while (k >= texts_.size()) {
-        if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+        if (arrived_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
           throw std::runtime_error("silence");
       }
       if (holds(texts_[k])) return texts_[k];
@@ -65,7 +80,7 @@ class Mailbox : public Outbox {
   std::string packet(std::size_t k) {
     std::unique_lock lock(mutex_);
     while (k >= packets_.size()) {
-      if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+      if (arrived_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
         throw std::runtime_error("no packet");
     }
     return packets_[k];
@@ -79,21 +94,37 @@ class Mailbox : public Outbox {
   void deliver_text(std::string message) override {
     const std::lock_guard lock(mutex_);
     texts_.push_back(parse_json(message));
-    news_.notify_all();
+    check(texts_.back());
+    arrived_.notify_all();
   }
   void deliver_packet(std::string packet) override {
     const std::lock_guard lock(mutex_);
     if (packet.starts_with("MSA1")) {
       texts_.push_back(ReadPacket(packet, "MSA1").head);
+      check(texts_.back());
       packed_answers_[*texts_.back().find("re")->number()] = std::move(packet);
     } else {
+      check(ReadPacket(packet).head);
       packets_.push_back(std::move(packet));
     }
-    news_.notify_all();
+    arrived_.notify_all();
+  }
+
+  /// Answers to requests that were not recorded cannot be compared.
+  void check(const Value& message) {
+    const Value* re = message.find("re");
+    const Value* is = message.find("is");
+    if (is != nullptr && *is == Value("done") && !conversation_.knows(*re->number())) return;
+    try {
+      conversation_.take(message);
+    } catch (const Refusal& refusal) {
+      ADD_FAILURE() << refusal.what() << " in " << write_json_line(message).substr(0, 1000);
+    }
   }
 
   std::mutex mutex_;
-  std::condition_variable news_;
+  std::condition_variable arrived_;
+  Conversation conversation_;
   std::vector<Value> texts_;
   std::vector<std::string> packets_;
   std::map<double, std::string> packed_answers_;  // by the number of the request
@@ -122,8 +153,8 @@ class Studio {
     return mailbox_->answer(id_);
   }
   std::string request(const std::string& what, const std::string& members) {
-    return "{\"do\": \"" + what + "\", \"id\": " + std::to_string(++id_) + (members.empty() ? "" : ", ") + members +
-           "}";
+    mailbox_->expect_answer(++id_, what);
+    return "{\"do\": \"" + what + "\", \"id\": " + std::to_string(id_) + (members.empty() ? "" : ", ") + members + "}";
   }
   Value open_bush() { return open(R"("path": "bush.json")"); }
   /// Opens a document. `members` are the members of the request.

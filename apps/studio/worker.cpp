@@ -9,7 +9,7 @@ void Worker::post_at(Clock::time_point time, Job job) {
     if (stops_) return;
     jobs_.emplace(std::pair(time, count_++), std::move(job));
   }
-  news_.notify_one();
+  changed_.notify_one();
 }
 
 void Worker::stop() {
@@ -17,7 +17,7 @@ void Worker::stop() {
     const std::lock_guard lock(mutex_);
     stops_ = true;
   }
-  news_.notify_one();
+  changed_.notify_one();
   if (thread_.joinable()) thread_.join();
   jobs_.clear();
 }
@@ -26,12 +26,12 @@ void Worker::run() {
   std::unique_lock lock(mutex_);
   while (!stops_) {
     if (jobs_.empty()) {
-      news_.wait(lock);
+      changed_.wait(lock);
       continue;
     }
     const Clock::time_point due = jobs_.begin()->first.first;
     if (due > Clock::now()) {
-      news_.wait_until(lock, due);
+      changed_.wait_until(lock, due);
       continue;
     }
     Job job = std::move(jobs_.begin()->second);

@@ -34,7 +34,7 @@ class Worker {
   void run();
 
   std::mutex mutex_;
-  std::condition_variable news_;
+  std::condition_variable changed_;
   std::map<std::pair<Clock::time_point, std::uint64_t>, Job> jobs_;
   std::uint64_t count_ = 0;
   bool stops_ = false;

@@ -17,6 +17,9 @@ from pathlib import Path
 from typing import Any
 
 
+PAGES: list[Page] = []  # all pages that were connected, with their messages
+
+
 @dataclass
 class Response:
     status: int
@@ -72,7 +75,9 @@ class Studio:
         return self.raw("\r\n".join([*lines, "", ""]).encode())
 
     def page(self) -> Page:
-        return Page(self)
+        page = Page(self)
+        PAGES.append(page)
+        return page
 
 
 def read_response(stream: Any) -> Response:
@@ -107,12 +112,28 @@ def upgrade(studio: Studio, origin: str | None, host: str | None = None) -> tupl
     return connection, stream, read_response(stream)
 
 
+def check_recorded(program: str, folder: Path) -> list[str]:
+    """Compares the messages of all pages with the tables of the protocol. Returns a line for each fault.
+
+    In:  the program meristem_studio_protocol; a folder for a file of each page.
+    """
+    faults = []
+    for number, page in enumerate(PAGES):
+        file = folder / f"page_{number}.jsonl"
+        file.write_text("".join(json.dumps(message) + "\n" for message in page.recorded))
+        checked = subprocess.run([program, "--check", str(file)], capture_output=True, text=True, check=False)
+        assert checked.returncode in (0, 1) and not checked.stderr, checked.stderr
+        faults += [line for line in checked.stdout.splitlines() if not line.startswith("answered ")]
+    return faults
+
+
 @dataclass
 class Page:
     """A page that takes packets over: it counts them, and says that it shows them."""
 
     studio: Studio
-    news: list[dict[str, Any]] = field(default_factory=list)
+    messages: list[dict[str, Any]] = field(default_factory=list)  # of the server, without packets
+    recorded: list[dict[str, Any]] = field(default_factory=list)  # requests, messages and heads of packets, in order
     packets: list[tuple[dict[str, Any], int]] = field(default_factory=list)  # heads and sizes
     hash: str = ""
 
@@ -159,14 +180,16 @@ class Page:
             opcode, payload = self.read_frame()
             if opcode == 1:
                 message = json.loads(payload)
-                self.news.append(message)
+                self.messages.append(message)
+                self.recorded.append(message)
                 return message
             if opcode == 2:
                 assert payload[:4] in (b"MSP1", b"MSA1")
                 size = struct.unpack("<I", payload[4:8])[0]
                 head = json.loads(payload[8 : 8 + size])
+                self.recorded.append(head)
                 if payload[:4] == b"MSA1":
-                    self.news.append(head)
+                    self.messages.append(head)
                     return head
                 self.packets.append((head, len(payload)))
                 self.send("shown", packet=head["packet"])
@@ -183,7 +206,9 @@ class Page:
 
     def send(self, what: str, **members: Any) -> int:
         self.id += 1
-        self.send_frame(1, json.dumps({"do": what, "id": self.id, **members}).encode())
+        request = {"do": what, "id": self.id, **members}
+        self.recorded.append({"do": what, "id": self.id})
+        self.send_frame(1, json.dumps(request).encode())
         return self.id
 
     def ask(self, what: str, **members: Any) -> dict[str, Any]:

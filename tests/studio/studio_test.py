@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The studio over its sockets: what is refused, and what a page gets. Things are counted, and nothing is timed.
 
-In:  the program; the folder of the source tree.
+In:  the program; the folder of the source tree; the program that compares messages with the protocol.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from studio_client import Closed, Page, Studio, read_response, upgrade
+from studio_client import Closed, Page, Studio, check_recorded, read_response, upgrade
 
-PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
+PROGRAM, SOURCE, PROTOCOL = sys.argv[1], Path(sys.argv[2]), sys.argv[3]
 BUSH = """{
   "meristem": 1,
   "components": {
@@ -48,7 +48,9 @@ class StudioTest(unittest.TestCase):
     @classmethod
     def tearDownClass(cls) -> None:
         cls.studio.__exit__()
+        faults = check_recorded(PROTOCOL, Path(cls.folder.name))
         cls.folder.cleanup()
+        assert not faults, "\n".join(["messages are not as the protocol describes them", *faults])
 
     # Many more connections than the server keeps without the secret.
     FLOOD = 200
@@ -158,7 +160,7 @@ mv {notes}/page {notes}/page.html
                 page.ask("open", path="bush.json")
                 page.ask("command", format=".glb", name="bush")
                 page.ask("export", format=".glb", name="bush")
-                self.assertNotIn(studio.token, json.dumps(page.news))
+                self.assertNotIn(studio.token, json.dumps(page.messages))
             self.assertEqual(studio.stop(), 0)
             for stream in (studio.process.stdout, studio.process.stderr):
                 assert stream is not None

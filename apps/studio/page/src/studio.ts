@@ -10,7 +10,7 @@ import type { EditWish } from './document/edit_queue.ts';
 import { InstanceChoice } from './page/instance_choice.ts';
 import type { Page } from './page/page.ts';
 import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
-import { first_shell, kFirstView, kNoGrowth, with_growth, with_work } from './page/page_state.ts';
+import { first_shell, kFirstView, kNoGrowth, with_failure, with_growth, with_work } from './page/page_state.ts';
 import type { ToolKind } from './page/tools.ts';
 import { Tools } from './page/tools.ts';
 import { Keeper } from './saving/keeper.ts';
@@ -18,7 +18,7 @@ import { save_document } from './saving/saving.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Fault, Hello, News, Opened, OpenWish } from './server/protocol.ts';
+import type { Edit, Fault, Hello, OpenAnswer, OpenRequest, ServerMessage } from './server/protocol.ts';
 import type { Tables } from './tables/tables.ts';
 import type { Json } from './values/json.ts';
 import { budgets_of } from './view/budgets.ts';
@@ -57,7 +57,7 @@ export class Studio implements Page {
   ) {
     this.shell = new Store(first_shell());
     this.connection = new Connection(address, {
-      on_news: (news) => this.hear(news),
+      on_message: (message) => this.take_message(message),
       on_packet: (bytes) => this.show_packet(bytes),
       on_lost: () => this.keeper.note_lost(),
     });
@@ -142,20 +142,20 @@ export class Studio implements Page {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  async open(wish: OpenWish): Promise<boolean> {
+  async open(wish: OpenRequest): Promise<boolean> {
     const fault = await this.try_open(wish);
     if (fault !== null) this.notify(fault, true);
     return fault === null;
   }
 
-  async try_open(wish: OpenWish): Promise<string | null> {
+  async try_open(wish: OpenRequest): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
     const { is_changed } = this.document;
     const left = this.document.state.get();
     const time = this.bench.time.leave();
     try {
-      const opened = await this.connection.request<Opened>('open', wish);
+      const opened = await this.connection.request('open', wish);
       void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
@@ -176,7 +176,7 @@ export class Studio implements Page {
     return save_document(this, path, over);
   }
 
-  private take_opened(opened: Opened): void {
+  private take_opened(opened: OpenAnswer): void {
     this.view?.clear();
     this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
     this.dragged.set({});
@@ -197,15 +197,14 @@ export class Studio implements Page {
     if (step) this.notify(`${what}: ${step.label}`, false, 'undo');
   }
 
-  private hear(news: News): void {
-    if (news.is === 'hello') void this.greet(news);
-    if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
-    if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
-    if (news.is === 'elsewhere' && news.count > 0) this.shell.merge({ elsewhere: news });
-    else if (news.is === 'elsewhere' && this.shell.get().elsewhere?.path === news.path)
+  private take_message(message: ServerMessage): void {
+    if (message.is === 'hello') void this.greet(message);
+    if (message.is === 'working') this.growth.set(with_work(this.growth.get(), message));
+    if (message.is === 'grown') this.growth.set(with_growth(this.growth.get(), message));
+    if (message.is === 'elsewhere' && message.count > 0) this.shell.merge({ elsewhere: message });
+    else if (message.is === 'elsewhere' && this.shell.get().elsewhere?.path === message.path)
       this.shell.merge({ elsewhere: null });
-    if (news.is === 'failed' && news.job === 'grow')
-      this.growth.merge({ failed: { message: news.message, faults: news.faults, continues: news.continues ?? false } });
+    if (message.is === 'failed') this.growth.set(with_failure(this.growth.get(), message));
   }
 
   /// Called when the server is connected, first or again. Sends the page's state to the server.
@@ -218,7 +217,7 @@ export class Studio implements Page {
       const { text, path, model } = this.document.state.get();
       this.keeps_camera_ = true;
       const opened = await this.connection
-        .request<Opened>('open', model !== null ? { text, model } : { text, path })
+        .request('open', model !== null ? { text, model } : { text, path })
         .catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();

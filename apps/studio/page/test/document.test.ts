@@ -7,9 +7,9 @@ import { DocumentModel } from '../src/document/document_model.ts';
 import { kDropped } from '../src/document/edit_queue.ts';
 import { text_hash } from '../src/document/hash.ts';
 import type { Connection } from '../src/server/connection.ts';
-import type { Opened } from '../src/server/protocol.ts';
+import type { OpenAnswer } from '../src/server/protocol.ts';
 
-function opened(text: string): Opened {
+function opened(text: string): OpenAnswer {
   return {
     path: 'a.json',
     model: null,

@@ -9,6 +9,7 @@ import { camera_edits, camera_of_document, state_between } from '../src/camera/c
 import { strip_states, variable_states } from '../src/find/strip_states.ts';
 import { groups_of, shown_measure } from '../src/measures/measure_groups.ts';
 import { values_of } from '../src/measures/sweep_part.tsx';
+import type { ExportCamera } from '../src/server/protocol.ts';
 import type { Row } from '../src/tables/tables.ts';
 import { kFieldOfView, Orbit } from '../src/view/orbit.ts';
 
@@ -64,7 +65,7 @@ test('elements of a list are moved, put in and taken out', () => {
 });
 
 test('the camera is written over what it said, or added above all that it links to', () => {
-  const camera = { position: [1.23456, 2, 3], target: [0, 1, 0], field_of_view: 32 };
+  const camera: ExportCamera = { position: [1.23456, 2, 3], target: [0, 1, 0], field_of_view: 32 };
   const said = {
     components: { view: { type: 'camera', azimuth: 30 }, stem: { type: 'tree' } },
     links: [['view', 'stem']],

@@ -28,8 +28,7 @@ import {
   sun_place,
 } from '../src/scene/sun_math.ts';
 import { sun_state, with_time } from '../src/scene/sun_state.ts';
-import type { OperationAct } from '../src/server/growth_protocol.ts';
-import type { Variable } from '../src/server/protocol.ts';
+import type { OperationAct, Variable } from '../src/server/protocol.ts';
 import type { Tables } from '../src/tables/tables.ts';
 import type { Json } from '../src/values/json.ts';
 import { with_values } from '../src/values/put_values.ts';

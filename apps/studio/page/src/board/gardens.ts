@@ -5,12 +5,12 @@ import { Store } from '../base/store.ts';
 import { folder_of } from '../files/file_path.ts';
 import type { Page } from '../page/page.ts';
 import { Keeper } from '../saving/keeper.ts';
-import type { OpenWish } from '../server/protocol.ts';
+import type { OpenRequest } from '../server/protocol.ts';
 import { member_of } from '../values/path.ts';
 
 export interface Entered {
   title: string;
-  wish: OpenWish; // opens the document again
+  wish: OpenRequest; // opens the document again
 }
 
 export class Gardens {
@@ -20,7 +20,7 @@ export class Gardens {
   constructor(private readonly page_: Page) {}
 
   /// Returns a request to open the document of a component. Returns null if the component has no document.
-  document_of(id: string): OpenWish | null {
+  document_of(id: string): OpenRequest | null {
     const { tree, path } = this.page_.document.state.get();
     const component = member_of(member_of(tree?.value, 'components'), id);
     const type = String(member_of(component, 'type') ?? '');
@@ -37,7 +37,7 @@ export class Gardens {
     if (!wish) return;
     const { path, model, name, text, tree } = this.page_.document.state.get();
     const title = member_of(tree?.value, 'name');
-    const own: OpenWish = path !== null ? { path } : model !== null ? { model } : { text, path: null };
+    const own: OpenRequest = path !== null ? { path } : model !== null ? { model } : { text, path: null };
     const trail = [...this.trail.get(), { title: typeof title === 'string' ? title : name, wish: own }];
     if (await this.page_.open(wish)) {
       this.trail.set(trail);

@@ -11,7 +11,7 @@ import { Icon } from '../controls/icon.tsx';
 import { use_models } from '../files/models.ts';
 import { ChoiceCard, PlantChoices } from '../files/plant_choices.tsx';
 import { use_page } from '../page/use_page.ts';
-import type { ReadParts } from '../server/protocol.ts';
+import type { PartsAnswer } from '../server/protocol.ts';
 import { Board } from './board.ts';
 import { icon_of } from './component_icon.ts';
 import type { LinkKind } from './plant_graph.ts';
@@ -148,10 +148,10 @@ function Types({
 function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
   const page = use_page();
   const models = use_models();
-  const [model, set_model] = useState<({ name: string; title: string } & ReadParts) | null>(null);
+  const [model, set_model] = useState<({ name: string; title: string } & PartsAnswer) | null>(null);
   const open = (name: string, title: string) => (): void => {
     page.connection
-      .request<ReadParts>('parts', { model: name })
+      .request('parts', { model: name })
       .then((parts) => set_model({ name, title, ...parts }))
       .catch((fault: Error) => page.notify(fault.message, true));
   };

@@ -2,21 +2,14 @@
 // Copies, pastes and duplicates parts of plants, and adds parts of shipped plants.
 
 import type { Page } from '../page/page.ts';
-import type { Edit } from '../server/protocol.ts';
+import type { Edit, PartAnswer } from '../server/protocol.ts';
 import type { BoardActions } from './board_actions.ts';
 import { component_path, copied_link, free_name, link_edit, place_behind, place_of_link } from './board_edits.ts';
 import type { LinkKind, PlantGraph } from './plant_graph.ts';
 import { standing_on } from './plant_graph.ts';
 
-/// A part of a document as text, with its links and the variables that it names.
-export interface Part {
-  text: string;
-  roots: string[]; // components that no other component of the part holds
-  components: string[];
-}
-
 export class PartActions {
-  private clip_: Part | null = null; // the part that was copied last
+  private clip_: PartAnswer | null = null; // the part that was copied last
 
   constructor(
     private readonly page_: Page,
@@ -24,18 +17,18 @@ export class PartActions {
   ) {}
 
   /// Returns a component as a part that can be pasted elsewhere, with its descendants or alone.
-  part(id: string, alone = false): Promise<Part | null> {
+  part(id: string, alone = false): Promise<PartAnswer | null> {
     return this.part_of(this.actions_.graph, id, alone);
   }
 
   /// Like `part`, for a shipped model with this graph.
-  async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<Part | null> {
+  async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<PartAnswer | null> {
     const all = alone ? new Set([id]) : standing_on(graph, id);
     const components = [...graph.components.values()]
       .filter((one) => all.has(one.id) && one.is_written && !one.is_camera)
       .map((one) => one.id);
     try {
-      return await this.page_.connection.request<Part>('part', {
+      return await this.page_.connection.request('part', {
         components,
         ...(model === undefined ? {} : { model }),
       });
@@ -46,7 +39,12 @@ export class PartActions {
   }
 
   /// Pastes a part below a component, with free names.
-  async paste(part: Part, below: string | null, label: string, kinds: Record<string, LinkKind> = {}): Promise<void> {
+  async paste(
+    part: PartAnswer,
+    below: string | null,
+    label: string,
+    kinds: Record<string, LinkKind> = {},
+  ): Promise<void> {
     const { graph, document } = this.actions_;
     const taken = new Set(graph.components.keys());
     const names: Record<string, string> = {};
@@ -96,7 +94,7 @@ export class PartActions {
       return this.paste(own, below, `Paste ${own.roots.join(', ')}`);
     if (text === '') return this.page_.notify('Nothing was copied yet', true);
     try {
-      const part = await this.page_.connection.request<Part>('part', { text });
+      const part = await this.page_.connection.request('part', { text });
       await this.paste(part, below, `Paste ${part.roots.join(', ')}`);
     } catch {
       this.page_.notify('What was copied is no part of a plant', true);

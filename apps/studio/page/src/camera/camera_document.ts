@@ -2,16 +2,10 @@
 // The camera of a document: its view, and edits that copy the page's view into it.
 import { component_path, link_path, written_link } from '../board/board_edits.ts';
 import type { PlantGraph } from '../board/plant_graph.ts';
-import type { Edit } from '../server/protocol.ts';
+import type { Edit, ExportCamera } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 import { member_of, path_below } from '../values/path.ts';
 import type { CameraState } from '../view/orbit.ts';
-
-export interface WrittenCamera {
-  position: number[];
-  target: number[];
-  field_of_view: number;
-}
 
 const kDigits = 3; // digits after the point, for metres
 
@@ -21,7 +15,7 @@ function rounded(numbers: readonly number[]): number[] {
 
 /// Returns the edits that give the document's camera the pose of the view. Adds a camera with links to all roots if the
 /// document has none.
-export function camera_edits(document: Json | undefined, graph: PlantGraph, camera: WrittenCamera): Edit[] {
+export function camera_edits(document: Json | undefined, graph: PlantGraph, camera: ExportCamera): Edit[] {
   const said = {
     position: rounded(camera.position),
     target: rounded(camera.target),

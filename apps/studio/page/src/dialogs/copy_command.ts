@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 import type { Page } from '../page/page.ts';
-import type { ExportOptions } from '../server/protocol.ts';
-
-export interface ExportWish {
-  format: string;
-  name: string | null;
-  options: ExportOptions;
-}
+import type { ExportRequest } from '../server/protocol.ts';
 
 /// Copies the command line that exports the same files in a terminal.
-export async function copy_command(page: Page, wish: ExportWish): Promise<void> {
+export async function copy_command(page: Page, wish: ExportRequest): Promise<void> {
   try {
-    const { command } = await page.connection.request<{ command: string }>('command', wish);
+    const { command } = await page.connection.request('command', wish);
     await navigator.clipboard.writeText(command);
     page.notify(`Copied: ${command}`);
   } catch (fault) {

@@ -70,7 +70,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
     set_busy(true);
     set_made(null);
     page.connection
-      .request<{ file: MadeFile }>('export', wish)
+      .request('export', wish)
       .then((answer) => {
         set_made(answer.file);
         take_file(answer.file);

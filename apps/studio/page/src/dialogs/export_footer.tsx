@@ -4,10 +4,10 @@ import type { ReactElement, ReactNode } from 'react';
 
 import { Button } from '../controls/button.tsx';
 import { use_page } from '../page/use_page.ts';
-import type { ExportWish } from './copy_command.ts';
+import type { ExportRequest } from '../server/protocol.ts';
 import { copy_command } from './copy_command.ts';
 
-export function ExportFooter({ wish, children }: { wish: ExportWish; children: ReactNode }): ReactElement {
+export function ExportFooter({ wish, children }: { wish: ExportRequest; children: ReactNode }): ReactElement {
   const page = use_page();
   return (
     <>

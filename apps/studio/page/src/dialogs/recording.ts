@@ -3,9 +3,8 @@
 import { Store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
 import type { Job } from '../server/connection.ts';
-import type { MadeFile } from '../server/protocol.ts';
+import type { ExportRequest, MadeFile } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
-import type { ExportWish } from './copy_command.ts';
 
 export class Recording {
   readonly made = new Store<MadeFile | null>(null);
@@ -18,11 +17,11 @@ export class Recording {
     private readonly takes_: boolean,
   ) {}
 
-  make(wish: ExportWish): void {
+  make(wish: ExportRequest): void {
     if (this.is_busy.get()) return;
     this.is_busy.set(true);
     this.made.set(null);
-    this.job_ = this.page_.connection.begin<{ file: MadeFile }>('export', wish);
+    this.job_ = this.page_.connection.begin('export', wish);
     this.job_.answer
       .then(({ file }) => {
         this.made.set(file);

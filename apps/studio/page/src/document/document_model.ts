@@ -4,8 +4,7 @@
 import { Store } from '../base/store.ts';
 import type { Connection } from '../server/connection.ts';
 import { Lost } from '../server/connection.ts';
-import type { Saved } from '../server/file_protocol.ts';
-import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
+import type { Edit, Fault, OpenAnswer, Reading, SaveAnswer } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { Patch } from '../values/patch.ts';
 import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
@@ -41,7 +40,7 @@ export class DocumentModel {
     return hash !== base;
   }
 
-  take_opened(opened: Opened): void {
+  take_opened(opened: OpenAnswer): void {
     this.opened_ += 1;
     this.is_unread_ = false;
     this.waiting_.drop_all();
@@ -56,7 +55,7 @@ export class DocumentModel {
     for (const { edits, label } of waiting) void this.edit(edits, label);
   }
 
-  take_saved({ path, name, saved, ...read }: Saved): void {
+  take_saved({ path, name, saved, ...read }: SaveAnswer): void {
     this.state.merge({ path, saved, base: saved, model: null, name });
     const reading = whole_reading(read);
     if (reading) this.take_reading(saved, reading);
@@ -126,7 +125,7 @@ export class DocumentModel {
   send_whole(): void {
     const { text, hash } = this.state.get();
     this.connection_()
-      .request<Reading>('text', { text })
+      .request('text', { text })
       .then((reading) => this.take_reading(hash, reading))
       .catch(() => undefined);
   }
@@ -151,7 +150,7 @@ export class DocumentModel {
     const { text, hash: base } = this.state.get();
     const hash = this.change_text(apply_patch(text, patch), undo);
     this.connection_()
-      .request<Reading & { hash: string }>('splice', { base, patch: plain_patch(patch) })
+      .request('splice', { base, patch: plain_patch(patch) })
       .then((answer) => (answer.hash === hash ? this.take_reading(hash, answer) : this.send_whole()))
       .catch((fault: unknown) => {
         if (fault instanceof Refusal) this.send_whole();
@@ -210,7 +209,7 @@ export class DocumentModel {
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
-        const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...condition });
+        const edited = await this.connection_().request('edit', { base, edits: wish.edits, ...condition });
         if (opened !== this.opened_) return kDropped; // the edit was made in the previous document
         const patch = patch_of_plain(edited.patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };

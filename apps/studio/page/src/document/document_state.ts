@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the open document.
-import type { Edit, Fault, ImpliedLink, Opened, Reading, Variable } from '../server/protocol.ts';
+import type { Edit, Fault, ImpliedLink, OpenAnswer, Reading, Variable } from '../server/protocol.ts';
 import type { Json, JsonNode } from '../values/json.ts';
 import { is_object, keep_values, parse_broken_json, parse_json } from '../values/json.ts';
 import { variables_of_text } from './text_variables.ts';
@@ -100,7 +100,7 @@ export function values_of_variables({ variables }: DocumentState): Record<string
 }
 
 /// Returns the state of a document that was just opened.
-export function opened_state({ path, model, name, text, hash, saved, ...reading }: Opened): DocumentState {
+export function opened_state({ path, model, name, text, hash, saved, ...reading }: OpenAnswer): DocumentState {
   const read = tree_of(text, null);
   return {
     ...kNoDocument,

@@ -4,7 +4,6 @@
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
-import type { ArrayPlace, PacketArrays } from '../server/packet.ts';
 import { floats } from '../server/packet.ts';
 import type { Grown } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
@@ -37,7 +36,7 @@ export class CrownCloud {
     this.asked_ = { component, grown };
     const counts = this.newest_.begin();
     this.page_.connection
-      .request<{ cloud: { positions: ArrayPlace; count: number } | null; arrays: PacketArrays }>('cloud', { component })
+      .request('cloud', { component })
       .then(({ cloud, arrays }) => {
         if (counts())
           this.told.set(cloud && { component, positions: floats(arrays, cloud.positions), count: cloud.count });

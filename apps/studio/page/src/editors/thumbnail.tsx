@@ -6,12 +6,7 @@ import { useEffect, useState } from 'react';
 import { Icon } from '../controls/icon.tsx';
 import type { Page } from '../page/page.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-
-export interface MadeThumbnail {
-  picture: string; // base 64 of a PNG
-  width: number; // width of the whole picture
-  height: number;
-}
+import type { Thumbnail as MadeThumbnail } from '../server/protocol.ts';
 
 const kMade = new Map<string, Promise<MadeThumbnail | null>>();
 const kMostKept = 500;
@@ -22,7 +17,7 @@ function thumbnail_of(page: Page, key: string, file: string, size: number): Prom
   if (known) return known;
   if (kMade.size >= kMostKept) kMade.clear();
   const made = page.connection
-    .request<{ thumbnail: MadeThumbnail }>('picture', { file, size })
+    .request('picture', { file, size })
     .then((answer) => answer.thumbnail)
     .catch(() => {
       kMade.delete(key); // it may exist next time

@@ -6,7 +6,7 @@ import { useEffect, useState } from 'react';
 import { Icon } from '../controls/icon.tsx';
 import type { Page } from '../page/page.ts';
 import { use_page } from '../page/use_page.ts';
-import type { ListedFile } from '../server/file_protocol.ts';
+import type { ListedFile } from '../server/protocol.ts';
 
 interface FilesProps {
   folder: string;
@@ -22,7 +22,7 @@ function use_files(page: Page, folder: string): ListedFile[] | null {
   useEffect(() => {
     set_files(null);
     page.connection
-      .request<{ files: ListedFile[] }>('files', { folder })
+      .request('files', { folder })
       .then((answer) => set_files(answer.files))
       .catch((fault: Error) => {
         page.notify(fault.message, true);

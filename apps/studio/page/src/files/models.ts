@@ -11,7 +11,7 @@ export function use_models(): ShippedModel[] {
   const [models, set_models] = useState<ShippedModel[]>([]);
   useEffect(() => {
     page.connection
-      .request<{ models: ShippedModel[] }>('models')
+      .request('models')
       .then((answer) => set_models(answer.models))
       .catch((fault: Error) => page.notify(fault.message, true));
   }, [page]);

@@ -10,7 +10,6 @@ import { use_document, use_page } from '../page/use_page.ts';
 import { Connection } from '../server/connection.ts';
 import { LatestSender } from '../server/latest_sender.ts';
 import { read_packet } from '../server/packet.ts';
-import type { Opened } from '../server/protocol.ts';
 import { TimeModel } from '../time/time_model.ts';
 import { budgets_of } from '../view/budgets.ts';
 import { View } from '../view/view.ts';
@@ -98,13 +97,13 @@ function show_pin(page: Page, pin: Pin, canvas: HTMLCanvasElement, say: (note: s
   const open = async (): Promise<void> => {
     connection.tell('view', { ...budgets_of(main), ...page.tool(TimeModel).wish });
     const { text, path, model } = pin;
-    const opened = await connection.request<Opened>('open', model !== null ? { text, model } : { text, path });
+    const opened = await connection.request('open', model !== null ? { text, model } : { text, path });
     if (!opened.good) say('This state has faults');
   };
   const connection = new Connection(page.address, {
-    on_news: (news) => {
-      if (news.is === 'hello') void open().catch((fault: Error) => say(fault.message));
-      if (news.is === 'failed') say(news.message);
+    on_message: (message) => {
+      if (message.is === 'hello') void open().catch((fault: Error) => say(fault.message));
+      if (message.is === 'failed') say(message.message);
     },
     on_packet: (bytes) => {
       const packet = read_packet(bytes);

@@ -3,7 +3,7 @@
 import { useEffect, useState } from 'react';
 import type { Page } from '../page/page.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import type { Still } from '../server/protocol.ts';
+import type { ExportCamera, Still } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 
 export type StateValues = Record<string, Json>;
@@ -20,18 +20,18 @@ interface StillSize {
 }
 
 const kPause = 80; // ms after the last change
-const kUsualCamera = { position: [3, 1.5, 4], target: [0, 1, 0], field_of_view: 32 };
+const kUsualCamera: ExportCamera = { position: [3, 1.5, 4], target: [0, 1, 0], field_of_view: 32 };
 const kNear = 0.6; // share of the distance from which everything is visible; nearer, the user looks at a part
 
 /// Returns the camera of the view. A view close to a part shows this part; any other view shows the whole plant.
-function camera_of(page: Page): { camera: object; fit: boolean } {
+function camera_of(page: Page): { camera: ExportCamera; fit: boolean } {
   const { view } = page;
   if (!view) return { camera: kUsualCamera, fit: true };
   return { camera: view.orbit.as_document, fit: view.orbit.distance > kNear * view.fitting_distance };
 }
 
 export async function ask_for_stills(page: Page, states: readonly StateValues[], size: StillSize): Promise<Still[]> {
-  const answer = await page.connection.request<{ stills?: Still[] }>('stills', { states, ...size, ...camera_of(page) });
+  const answer = await page.connection.request('stills', { states, ...size, ...camera_of(page) });
   return answer.stills ?? [];
 }
 

@@ -52,7 +52,7 @@ export class Gizmo {
   ask(component: string): void {
     const counts = this.newest_.begin();
     this.page_.connection
-      .request<{ stand: number[] | null }>('stand', { component })
+      .request('stand', { component })
       .then(({ stand }) => {
         if (counts()) this.stand.set(stand ? { component, frame: frame_of_rows(stand) } : null);
       })
@@ -69,9 +69,9 @@ export class Gizmo {
       unknown.map(([path, written]) => [path, typeof written === 'string' ? written : write_json(written)]),
     );
     this.page_.connection
-      .request<{ numbers: Record<string, number> }>('worked_out', {
+      .request('worked_out', {
         expressions,
-        ...(object === 'scene' ? {} : { component: steps_of(object)[1] }),
+        ...(object === 'scene' ? {} : { component: String(steps_of(object)[1]) }),
       })
       .then(({ numbers }) => {
         if (counts()) this.told.set(numbers);

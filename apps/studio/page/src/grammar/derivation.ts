@@ -160,7 +160,7 @@ export class DerivationModel {
     const counts = this.newest_.begin();
     this.state.merge({ is_working: true });
     this.page_.connection
-      .request<{ derivation: Derivation }>('grammar', {
+      .request('grammar', {
         component,
         ...(instance === null ? { number: wanted } : { instance }),
         step,

@@ -13,11 +13,10 @@ import { shape_of, with_points } from '../editors/shape.ts';
 import { StillPlane } from '../editors/still_plane.tsx';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import type { Edit } from '../server/protocol.ts';
+import type { Edit, LeafCurves } from '../server/protocol.ts';
 import { row_at } from '../tables/resolve.ts';
 import type { Json } from '../values/json.ts';
 import { member_of, path_below, value_at } from '../values/path.ts';
-import type { LeafCurves } from './curves.ts';
 import { draw_midrib, draw_widths, line_length, name_of } from './curves.ts';
 import { LeafCurvesModel } from './leaf_curves.ts';
 

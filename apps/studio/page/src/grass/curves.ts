@@ -3,31 +3,12 @@
 // editable curves.
 
 import type { Point } from '../editors/shape.ts';
-import type { Edit } from '../server/protocol.ts';
+import type { Edit, LeafCurves, LeafName } from '../server/protocol.ts';
 import { rounded } from '../values/arithmetic.ts';
 import type { Json } from '../values/json.ts';
 import { is_object } from '../values/json.ts';
 import { path_below } from '../values/path.ts';
 import type { Vec } from '../values/space_math.ts';
-
-export interface LeafName {
-  rank: number | null;
-  leaf: number | null;
-}
-
-export interface LeafCurves {
-  leaves: LeafName[]; // leaves of the source
-  leaf: LeafName; // leaf of these curves
-  midrib_points: Point[]; // away from the stem and up along it, in the unit of the source
-  midrib: Point[]; // fitted curve
-  distance: number; // distance of the points from the fitted curve
-  width_points: Point[]; // share of the length, share of the largest width
-  widths: Point[]; // fitted curve
-  midrib_file: boolean;
-  width_file: boolean;
-  length: number; // measured length, metres; 0: no file gives it
-  width: number;
-}
 
 const kDrawn = 8; // pieces between the points of an editable curve that is made from a fitted one
 

@@ -3,7 +3,7 @@
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
-import type { LeafCurves } from './curves.ts';
+import type { LeafCurves } from '../server/protocol.ts';
 
 export class LeafCurvesModel {
   readonly component = new Store<string | null>(null);
@@ -25,7 +25,7 @@ export class LeafCurvesModel {
   ask(component: string, rank: number | null, leaf: number | null): void {
     const counts = this.newest_.begin();
     this.page_.connection
-      .request<{ curves: LeafCurves | null }>('curves', {
+      .request('curves', {
         component,
         ...(rank === null ? {} : { rank }),
         ...(leaf === null ? {} : { leaf }),

@@ -3,10 +3,8 @@
 // meanwhile, and shows each step without a new growth.
 import { Store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
-import type { OverlayLayers, OverlayPart } from '../server/growth_protocol.ts';
 import { LatestSender } from '../server/latest_sender.ts';
-import type { PacketArrays } from '../server/packet.ts';
-import type { Grown } from '../server/protocol.ts';
+import type { Grown, OverlayPart } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { LegendKey } from './layers.ts';
 import { view_layer } from './layers.ts';
@@ -118,11 +116,9 @@ export class GrowthLook {
     const { parts, is_open } = this.state.get();
     if (!is_open) return;
     if (parts.length === 0) return this.state.merge({ legend: [] });
-    const answer = await this.page_.connection
-      .request<{ overlays: OverlayLayers; arrays: PacketArrays }>('overlays', { parts })
-      .catch((fault: unknown) => {
-        if (fault instanceof Refusal) this.page_.notify(fault.message, true, 'overlays');
-      });
+    const answer = await this.page_.connection.request('overlays', { parts }).catch((fault: unknown) => {
+      if (fault instanceof Refusal) this.page_.notify(fault.message, true, 'overlays');
+    });
     if (!answer) return;
     const { overlays, arrays } = answer;
     const wanted = this.state.get().parts;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts overlays from the server into layers of the view.
 import type { Vec } from '../base/vec.ts';
-import type { ToldLayer, ToldPlaces } from '../server/growth_protocol.ts';
 import type { PacketArrays } from '../server/packet.ts';
 import { bytes, floats } from '../server/packet.ts';
+import type { ColouredPoints, PackedLayer } from '../server/protocol.ts';
 import type { OverlayArrow, OverlayLayer } from '../view/overlays.ts';
 
 export interface LegendKey {
@@ -19,17 +19,17 @@ interface Places {
 const kPointSize = 5; // pixels
 const kNodeSize = 3.5; // nodes where lines join
 
-export function view_layer(told: ToldLayer, arrays: PacketArrays): OverlayLayer {
-  const places = ({ positions, colours }: ToldPlaces): Places => ({
+export function view_layer(packed: PackedLayer, arrays: PacketArrays): OverlayLayer {
+  const places = ({ positions, colours }: ColouredPoints): Places => ({
     positions: floats(arrays, positions),
     colours: bytes(arrays, colours),
   });
-  const lines = places(told.lines);
+  const lines = places(packed.lines);
   return {
-    points: { ...places(told.points), size: lines.positions.length > 0 ? kNodeSize : kPointSize },
+    points: { ...places(packed.points), size: lines.positions.length > 0 ? kNodeSize : kPointSize },
     lines,
-    arrows: arrows_of(places(told.arrows)),
-    labels: told.labels,
+    arrows: arrows_of(places(packed.arrows)),
+    labels: packed.labels,
     is_in_front: true,
   };
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups of measures with headings, and their values as text.
+
+import type { MeasureRow } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
-import type { MeasureRow } from './measure_model.ts';
 
 export interface MeasureGroup {
   title: string;

@@ -5,24 +5,12 @@ import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
 import type { Page } from '../page/page.ts';
 import type { Job } from '../server/connection.ts';
-import type { Fault, Grown } from '../server/protocol.ts';
+import type { Answers, Grown, MeasureRow, SweepPoint } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import { TimeModel } from '../time/time_model.ts';
 import type { Json } from '../values/json.ts';
 
-export interface MeasureRow {
-  name: string;
-  unit: string;
-  doc: string;
-}
-
 export type Measured = Record<string, Json>;
-
-export interface SweepPoint {
-  value: number;
-  measures?: Measured;
-  faults?: Fault[];
-}
 
 export interface MeasureState {
   rows: readonly MeasureRow[];
@@ -51,7 +39,7 @@ export class MeasureModel {
   private timer_ = 0;
   private readonly newest_ = new Newest(); // for measures
   private readonly newest_sweep_ = new Newest();
-  private sweeping_: Job<{ sweep: SweepPoint[] }> | null = null;
+  private sweeping_: Job<Answers['sweep']> | null = null;
   private seen_ = ''; // hash of the text that was measured last
   // The growth whose measurement was cancelled; it is measured again on request
   private called_off_: Grown | null = null;
@@ -91,7 +79,7 @@ export class MeasureModel {
   async measure_over(variable: string, values: readonly number[]): Promise<void> {
     const counts = this.newest_sweep_.begin();
     this.sweep.set({ variable, points: [], is_working: true, fault: '' });
-    this.sweeping_ = this.page_.connection.begin<{ sweep: SweepPoint[] }>('sweep', {
+    this.sweeping_ = this.page_.connection.begin('sweep', {
       path: variable,
       values,
       light: this.state.get().with_light,
@@ -114,7 +102,7 @@ export class MeasureModel {
   }
 
   private async fetch_rows(): Promise<void> {
-    const answer = await this.page_.connection.request<{ rows: MeasureRow[] }>('measure_rows').catch(() => null);
+    const answer = await this.page_.connection.request('measure_rows').catch(() => null);
     if (answer) this.state.merge({ rows: answer.rows });
   }
 
@@ -137,7 +125,7 @@ export class MeasureModel {
     const height = typeof told?.['height'] === 'number' ? told['height'] : 0;
     const layers = with_light && height > 0 ? { layer_height: Number((height / kLayers).toPrecision(1)) } : {};
     try {
-      const { measures } = await this.page_.connection.request<{ measures: Measured }>('measures', {
+      const { measures } = await this.page_.connection.request('measures', {
         light: with_light,
         ...layers,
       });

@@ -7,12 +7,12 @@ import { useEffect, useState } from 'react';
 import { use_store } from '../base/store.ts';
 import { Icon } from '../controls/icon.tsx';
 import { use_page } from '../page/use_page.ts';
+import type { MeasureRow } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 import { Bars, Layers } from './bars.tsx';
 import type { Fact } from './facts.ts';
 import { kFacts } from './facts.ts';
 import { groups_of, shown_measure } from './measure_groups.ts';
-import type { MeasureRow } from './measure_model.ts';
 import { MeasureModel } from './measure_model.ts';
 import { SweepPart } from './sweep_part.tsx';
 

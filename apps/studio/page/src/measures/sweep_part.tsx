@@ -8,11 +8,11 @@ import { use_store } from '../base/store.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { step_of } from '../find/handle_step.ts';
 import { use_document, use_page } from '../page/use_page.ts';
-import type { Variable } from '../server/protocol.ts';
+import type { MeasureRow, Variable } from '../server/protocol.ts';
 import { rounded } from '../values/arithmetic.ts';
 import { kFacts } from './facts.ts';
 import { shown_measure } from './measure_groups.ts';
-import type { MeasureRow, SweepState } from './measure_model.ts';
+import type { SweepState } from './measure_model.ts';
 import { MeasureModel } from './measure_model.ts';
 import { Plot } from './plot.tsx';
 

@@ -2,9 +2,8 @@
 // The clicked instance of the chosen component, and instances that are selected by clicks.
 import { Newest } from '../base/newest.ts';
 import { Store } from '../base/store.ts';
-import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
 import { LatestSender } from '../server/latest_sender.ts';
-import type { FoundInstance, Grown } from '../server/protocol.ts';
+import type { FoundInstance, Grown, ShootName, ShootWay } from '../server/protocol.ts';
 import { path_below } from '../values/path.ts';
 import { scene_path } from '../view/seen_name.ts';
 import type { SeenInstance } from '../view/view.ts';
@@ -86,7 +85,7 @@ export class InstanceChoice {
     way: ShootWay | null = null,
   ): Promise<FoundShoot | null> {
     const name = of && { stem: of.stem, tree: of.tree, shoot: of.shoot, metamer: of.metamer };
-    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('shoot', {
+    const { instance } = await this.page_.connection.request('shoot', {
       component,
       of: name,
       go: way,
@@ -95,7 +94,7 @@ export class InstanceChoice {
   }
 
   private async ask(seen: SeenInstance): Promise<FoundInstance | null> {
-    const { instance } = await this.page_.connection.request<{ instance: FoundInstance | null }>('instance', {
+    const { instance } = await this.page_.connection.request('instance', {
       ...seen,
     });
     return instance;

@@ -6,7 +6,7 @@ import type { ToastList } from '../base/toast_list.ts';
 import type { DocumentModel } from '../document/document_model.ts';
 import type { EditWish } from '../document/edit_queue.ts';
 import type { Connection } from '../server/connection.ts';
-import type { Edit, Fault, OpenWish } from '../server/protocol.ts';
+import type { Edit, Fault, OpenRequest } from '../server/protocol.ts';
 import type { Tables } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import type { View, ViewFacts } from '../view/view.ts';
@@ -61,10 +61,10 @@ export interface Page extends PageStores {
   redo(): Promise<void>;
 
   /// Opens a document. Returns false and reports the reason if this fails.
-  open(wish: OpenWish): Promise<boolean>;
+  open(wish: OpenRequest): Promise<boolean>;
 
   /// Opens a document. Returns the reason if this fails, else null.
-  try_open(wish: OpenWish): Promise<string | null>;
+  try_open(wish: OpenRequest): Promise<string | null>;
 
   attach_view(view: View): void;
   change_view(part: Partial<ViewState>): void;

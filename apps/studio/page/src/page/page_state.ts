@@ -3,7 +3,7 @@
 import { preference } from '../base/preferences.ts';
 import type { KeptWork } from '../document/recovery.ts';
 import type { PacketHead } from '../server/packet.ts';
-import type { Fault, Grown, Hello, Working } from '../server/protocol.ts';
+import type { Failed, Fault, Grown, Hello, Working } from '../server/protocol.ts';
 import type { Drawing } from '../view/plant_scene.ts';
 
 export interface GrowthState {
@@ -26,6 +26,11 @@ export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   };
   return { ...growth, grown: { ...grown, ...counts }, failed: null };
 }
+
+export function with_failure(growth: GrowthState, { message, faults = [], continues = false }: Failed): GrowthState {
+  return { ...growth, failed: { message, faults, continues } };
+}
+
 /// Jobs whose progress panels show themselves.
 const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture', 'question']);
 

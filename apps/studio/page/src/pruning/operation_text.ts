@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations of a document as text, and sorted by the years in which they have acted.
 
-import type { OperationAct } from '../server/growth_protocol.ts';
+import type { OperationAct } from '../server/protocol.ts';
 import type { Json } from '../values/json.ts';
 import { is_object, write_json } from '../values/json.ts';
 

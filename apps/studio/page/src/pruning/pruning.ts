@@ -6,8 +6,7 @@ import { PinList } from '../find/pins.ts';
 import type { FoundShoot } from '../page/instance_choice.ts';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import type { Page } from '../page/page.ts';
-import type { ToldOperations } from '../server/growth_protocol.ts';
-import type { Edit } from '../server/protocol.ts';
+import type { Edit, OperationEffects } from '../server/protocol.ts';
 import { component_groups } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
@@ -25,7 +24,7 @@ export interface LookedAt {
 export class Pruning {
   readonly choice = new Store<DeedChoice>(kFirstChoice);
   readonly looked_at = new Store<LookedAt | null>(null);
-  readonly told = new Store<{ component: string; operations: ToldOperations } | null>(null);
+  readonly told = new Store<{ component: string; operations: OperationEffects } | null>(null);
   readonly walk: ShootWalk;
   private readonly newest_ = new Newest();
 
@@ -74,7 +73,7 @@ export class Pruning {
     const counts = this.newest_.begin();
     const { path = '', iteration = null } = this.looked_at.get() ?? {};
     this.page_.connection
-      .request<{ operations: ToldOperations | null }>('operations', {
+      .request('operations', {
         component,
         operation: path,
         ...(iteration === null ? {} : { iteration }),

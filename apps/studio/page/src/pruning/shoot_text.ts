@@ -3,7 +3,7 @@
 import type { Vec } from '../base/vec.ts';
 import { places_of_numbers } from '../base/vec.ts';
 import type { FoundShoot } from '../page/instance_choice.ts';
-import type { ShootWay } from '../server/growth_protocol.ts';
+import type { ShootWay } from '../server/protocol.ts';
 
 /// Messages for a step along the tree that leads nowhere.
 export const kNowhere: Record<ShootWay, (shoot: string) => string> = {

@@ -4,7 +4,7 @@ import { Store } from '../base/store.ts';
 import type { FoundShoot } from '../page/instance_choice.ts';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import type { Page } from '../page/page.ts';
-import type { ShootName, ShootWay } from '../server/growth_protocol.ts';
+import type { ShootName, ShootWay } from '../server/protocol.ts';
 import type { DeedChoice } from './shoot_cut.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
 

@@ -6,7 +6,7 @@ import { living_tabs } from '../base/tab.ts';
 import type { KeptWork } from '../document/recovery.ts';
 import { forget, keep, kept_work, slot_of, work_key } from '../document/recovery.ts';
 import type { Page } from '../page/page.ts';
-import type { Hello, Opened, OpenWish } from '../server/protocol.ts';
+import type { Hello, OpenAnswer, OpenRequest } from '../server/protocol.ts';
 
 const kPause = 300;
 const kFile = 'file:';
@@ -30,9 +30,9 @@ export class Keeper {
 
   /// Returns the documents that a page may begin with, the best first: the open document of before a reload, else the
   /// document with which the server was started.
-  async first_documents(hello: Hello): Promise<OpenWish[]> {
+  async first_documents(hello: Hello): Promise<OpenRequest[]> {
     const last = of_this_page();
-    const wishes: OpenWish[] = [];
+    const wishes: OpenRequest[] = [];
     if (last?.startsWith(kModel)) wishes.push({ model: last.slice(kModel.length) });
     if (last?.startsWith(kFile)) wishes.push({ path: last.slice(kFile.length) });
     const own = slot_of(this.tab_, kNew);
@@ -45,7 +45,7 @@ export class Keeper {
 
   /// Offers kept work on the opened document if its text differs. On the page's first document, also offers work on
   /// other documents.
-  async offer(opened: Opened): Promise<void> {
+  async offer(opened: OpenAnswer): Promise<void> {
     const key = this.key_of(opened.path, opened.model);
     this.remember();
     const living = await living_tabs();

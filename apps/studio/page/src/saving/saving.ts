@@ -2,7 +2,7 @@
 // Saves the open document to a file of the server's folder.
 
 import type { Page } from '../page/page.ts';
-import type { Saved } from '../server/file_protocol.ts';
+import type { SaveAnswer } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import { Keeper } from './keeper.ts';
 
@@ -25,11 +25,11 @@ export async function save_document(page: Page, path: string, over: boolean): Pr
 }
 
 /// Saves exactly the page's text. A server with another text first gets the page's.
-async function ask_save({ document, connection }: Page, path: string, over: boolean): Promise<Saved> {
+async function ask_save({ document, connection }: Page, path: string, over: boolean): Promise<SaveAnswer> {
   for (let tries = 0; ; tries += 1) {
     const { path: known, saved, hash } = document.state.get();
     try {
-      return await connection.request<Saved>('save', { path, hash, saved: path === known ? saved : null, over });
+      return await connection.request('save', { path, hash, saved: path === known ? saved : null, over });
     } catch (fault) {
       if (!(fault instanceof Refusal) || !fault.facts.stale || tries > 0) throw fault;
       document.send_whole();
@@ -39,7 +39,7 @@ async function ask_save({ document, connection }: Page, path: string, over: bool
 
 const kMostNamed = 4; // files in a message
 
-function tell_saved(page: Page, { path, copied = [], omitted = [] }: Saved): void {
+function tell_saved(page: Page, { path, copied = [], omitted = [] }: SaveAnswer): void {
   page.notify(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
   if (omitted.length > 0)
     page.notify(

@@ -3,15 +3,31 @@
 // is lost.
 import type { PacketArrays } from './packet.ts';
 import { is_answer, read_packed } from './packet.ts';
-import type { News } from './protocol.ts';
+import type { Answers, Refused, RequestName, Requests, ServerMessage } from './protocol.ts';
 import { Refusal } from './protocol.ts';
 
-type Answer = { is: string; re?: number; message?: string; limit?: string; arrays?: PacketArrays };
+/// Requests whose answers have arrays.
+type Packed = 'overlays' | 'cloud';
+
+/// The members of an answer, and its arrays.
+export type Answer<K extends RequestName> = Answers[K] & (K extends Packed ? { arrays: PacketArrays } : unknown);
+
+type Numbered = (id: number) => void;
+
+/// The members of a request, which may be left out if none is required. `numbered` is called with the request's number.
+type Sent<K extends RequestName> =
+  Partial<Requests[K]> extends Requests[K]
+    ? [members?: Requests[K], numbered?: Numbered]
+    : [members: Requests[K], numbered?: Numbered];
+
+type AnyAnswer =
+  | { is: 'done'; re: number; arrays?: PacketArrays }
+  | ({ arrays?: PacketArrays; is: 'refused'; re: number | null } & Refused);
 type Waiting = { resolve: (answer: never) => void; reject: (fault: Error) => void };
 
 export interface Listener {
   /// Called after the server's `hello`.
-  on_news(news: News): void;
+  on_message(message: ServerMessage): void;
   on_packet(bytes: ArrayBuffer): void;
   on_lost(): void;
 }
@@ -64,14 +80,10 @@ export class Connection {
   }
 
   /// Sends a request. Rejects with a Refusal, or with Lost.
-  async request<T = object>(
-    what: string,
-    members: object = {},
-    numbered: (id: number) => void = () => undefined,
-  ): Promise<T> {
+  async request<K extends RequestName>(what: K, ...[members, numbered]: Sent<K>): Promise<Answer<K>> {
     for (;;) {
       try {
-        return await this.request_once<T>(what, members, numbered);
+        return await this.request_once<K>(what, members ?? {}, numbered);
       } catch (fault) {
         // There were too many messages per second. The refused message had no effect, so it is sent again.
         if (!(fault instanceof Refusal) || fault.facts.limit !== 'messages_per_second') throw fault;
@@ -80,26 +92,27 @@ export class Connection {
     }
   }
 
-  begin<T>(what: string, members: object): Job<T> {
+  begin<K extends RequestName>(what: K, members: Requests[K]): Job<Answer<K>> {
     let re = 0;
-    const answer = this.request<T>(what, members, (id) => {
+    const numbered: Numbered = (id) => {
       re = id;
-    });
+    };
+    const answer = this.request(what, ...([members, numbered] as Sent<K>));
     return { answer, cancel: () => this.tell('cancel', { re }) };
   }
 
   /// Sends a request without waiting for its answer.
-  tell(what: string, members: object = {}): void {
-    this.request(what, members).catch(() => undefined);
+  tell<K extends RequestName>(what: K, ...sent: Sent<K>): void {
+    this.request(what, ...sent).catch(() => undefined);
   }
 
-  private request_once<T>(what: string, members: object, numbered: (id: number) => void): Promise<T> {
-    return new Promise<T>((resolve, reject) => {
+  private request_once<K extends RequestName>(what: K, members: object, numbered?: Numbered): Promise<Answer<K>> {
+    return new Promise<Answer<K>>((resolve, reject) => {
       const socket = this.socket_;
       if (!socket || socket.readyState !== WebSocket.OPEN) return reject(new Lost('the server is not there'));
       const id = this.next_id_;
       this.next_id_ += 1;
-      numbered(id);
+      numbered?.(id);
       this.waiting_.set(id, { resolve: resolve as (answer: never) => void, reject });
       socket.send(JSON.stringify({ do: what, id, ...members }));
       this.counts.sent += 1;
@@ -109,7 +122,7 @@ export class Connection {
   private receive(data: string | ArrayBuffer): void {
     if (typeof data !== 'string') {
       if (is_answer(data)) {
-        const { head, ...arrays } = read_packed<Answer>(data);
+        const { head, ...arrays } = read_packed<AnyAnswer>(data);
         return this.settle({ ...head, arrays });
       }
       this.counts.packets += 1;
@@ -118,23 +131,20 @@ export class Connection {
       this.listener_.on_packet(data);
       return;
     }
-    const message = JSON.parse(data) as Answer;
-    if (message.re === undefined || (message.is !== 'done' && message.is !== 'refused')) {
-      if (message.is === 'hello') {
-        this.tries_ = 0;
-        this.is_greeted_ = true;
-      }
-      this.listener_.on_news(message as unknown as News);
-      return;
+    const message = JSON.parse(data) as AnyAnswer | ServerMessage;
+    if (message.is === 'done' || message.is === 'refused') return this.settle(message);
+    if (message.is === 'hello') {
+      this.tries_ = 0;
+      this.is_greeted_ = true;
     }
-    this.settle(message);
+    this.listener_.on_message(message);
   }
 
-  private settle(message: Answer): void {
-    const waiting = this.waiting_.get(message.re ?? 0);
-    this.waiting_.delete(message.re ?? 0);
-    if (message.is === 'done') waiting?.resolve(message as never);
-    else waiting?.reject(new Refusal(message.message ?? 'refused', message as Refusal['facts']));
+  private settle(answer: AnyAnswer): void {
+    const waiting = this.waiting_.get(answer.re ?? 0);
+    this.waiting_.delete(answer.re ?? 0);
+    if (answer.is === 'done') waiting?.resolve(answer as never);
+    else waiting?.reject(new Refusal(answer.message, answer));
   }
 
   private lose(socket: WebSocket): void {

@@ -36,7 +36,7 @@ export function ClockRows(): ReactElement {
     if (hash === null) return undefined;
     let is_wanted = true;
     page.connection
-      .request<{ clocks: BegunClocks[] }>('clocks', { up_to: length })
+      .request('clocks', { up_to: length })
       .then((answer) => {
         if (!is_wanted) return;
         set_clocks(answer.clocks);

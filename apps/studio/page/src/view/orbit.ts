@@ -3,6 +3,8 @@
 // horizon.
 import * as three from 'three';
 
+import type { ExportCamera } from '../server/protocol.ts';
+
 export interface CameraState {
   azimuth: number;
   altitude: number;
@@ -34,7 +36,7 @@ export class Orbit {
     };
   }
   /// The camera in the form of documents and exports.
-  get as_document(): { position: number[]; target: number[]; field_of_view: number } {
+  get as_document(): ExportCamera {
     return {
       position: this.camera.position.toArray(),
       target: this.target_.toArray(),

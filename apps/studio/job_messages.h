@@ -16,14 +16,14 @@
 namespace meristem::studio {
 
 /// A progress that sends `working` at most ten times a second, and records the times of its stages.
-class JobNews {
+class JobMessages {
  public:
   /// `request` is the number of the request that began the job, if there is one.
-  JobNews(std::shared_ptr<Outbox> outbox, std::string job, std::optional<double> request = {});
+  JobMessages(std::shared_ptr<Outbox> outbox, std::string job, std::optional<double> request = {});
   /// Reports the end of the job if anything was reported before.
-  ~JobNews();
-  JobNews(const JobNews&) = delete;
-  JobNews& operator=(const JobNews&) = delete;
+  ~JobMessages();
+  JobMessages(const JobMessages&) = delete;
+  JobMessages& operator=(const JobMessages&) = delete;
 
   Progress& progress() { return progress_; }
   /// Begins one of several parts, such as "frame", counted from 0. The reported share then refers to all parts.
@@ -44,7 +44,7 @@ class JobNews {
   double part_share_ = 0;  // share of all parts that is finished
   std::vector<std::pair<std::string, Clock::time_point>> begins_;
   Clock::time_point sent_ = Clock::now();
-  bool has_told_ = false;
+  bool has_sent_ = false;
   Progress progress_;
 };
 

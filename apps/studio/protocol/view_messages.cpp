@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Messages about the connection, the view and the growth of the document.
+#include "protocol/common_records.h"
+#include "protocol/protocol.h"
+#include "protocol/record_table.h"
+
+namespace meristem::studio {
+
+using namespace forms;
+
+namespace {
+
+constexpr Span kTriangles{.min = 100, .max = 1e9};
+
+const Record& shown_growth() {
+  static const Record record =
+      RecordTable<ShownGrowth>("ShownGrowth", "The growth step that is shown.")
+          .whole("step", &ShownGrowth::step, {0, kMaxIteration}, "Growth step of the plants. Null: the last step.")
+          .flag("recorded", &ShownGrowth::is_recorded,
+                "True: growth is recorded, for overlays and for the `steps` of `grown`.")
+          .text("of", &ShownGrowth::of, "Component whose plants the step is for. Null: all plants.")
+          .or_default();
+  return record;
+}
+
+const Record& view_members() {
+  static const Record record =
+      RecordTable<ViewRequest>("ViewRequest", "Sets what is shown. Changes come as a packet.")
+          .whole("drag_triangles", &ViewRequest::drag_triangles, kTriangles,
+                 "Maximum number of triangles while something moves, at first 60000.")
+          .whole("rest_triangles", &ViewRequest::rest_triangles, kTriangles,
+                 "Maximum number of triangles at rest, at first 250000.")
+          .flag("surface", &ViewRequest::surface, "True: shows surfaces. At first true.")
+          .flag("skeleton", &ViewRequest::skeleton, "True: shows skeletons. At first false.")
+          .number("time", &ViewRequest::time, {-kMaxSeconds, kMaxSeconds, Unit::second},
+                  "Time of the document, at first 0.")
+          .record("growth", &ViewRequest::growth, shown_growth, "The growth step that is shown.");
+  return record;
+}
+
+const Record& shown_members() {
+  static const Record record =
+      RecordTable<ShownRequest>("ShownRequest",
+                                "Reports that a packet is shown. The next packet comes only after this message.")
+          .whole("packet", &ShownRequest::packet, {0, kMaxWhole}, "Number of the packet.");
+  return record;
+}
+
+const Record& cancel_members() {
+  static const Record record =
+      RecordTable<CancelRequest>("CancelRequest",
+                                 "Cancels the work of one request, or the growth. The cancelled request is refused "
+                                 "with `cancelled`. After a cancelled growth, the next change grows again.")
+          .whole("re", &CancelRequest::re, {0, kMaxWhole},
+                 "The `id` of the request, whose work runs, waits or reads the text. Missing: the growth.");
+  return record;
+}
+
+const Record& pause_members() {
+  static const Record record = RecordTable<PauseRequest>("PauseRequest", "Pauses or resumes growth.")
+                                   .flag("paused", &PauseRequest::paused, "True: no new growth begins.");
+  return record;
+}
+
+const Record& all_members() {
+  static const Record record =
+      RecordTable<AllRequest>("AllRequest", "Makes the next packet a whole scene, as after a lost context.");
+  return record;
+}
+
+const Record& continue_members() {
+  static const Record record = RecordTable<ContinueRequest>(
+      "ContinueRequest",
+      "Continues the growth that ended with `continues`, for `job_seconds` again. Finished results are reused. Does "
+      "nothing if no growth was stopped, or after a newer change.");
+  return record;
+}
+
+const Record& format_record() {
+  static const Record record = WrittenRecord("Format", "A format of exported files.")
+                                   .member("ending", text(), "Ending of its files, with the dot.")
+                                   .member("doc", text(), "Description.")
+                                   .member("levels", flag(), "True: it can have levels of detail.")
+                                   .member("instances", flag(), "True: it can store instances.");
+  return record;
+}
+
+const Record& overlay_part_record() {
+  static const Record record = WrittenRecord("OverlayPart", "An overlay that can be shown over the plant.")
+                                   .member("name", text(), "Name in the request `overlays`.")
+                                   .member("title", text(), "Name for users.")
+                                   .member("doc", text(), "Description.")
+                                   .member("recorded", flag(), "True: it needs recorded growth.");
+  return record;
+}
+
+const Record& limits_record() {
+  static const Record record =
+      WrittenRecord("StudioLimits", "The limits of the server.")
+          .member("message_bytes", whole(), "Maximum size of one message of the page.")
+          .member("messages_per_second", whole(), "Maximum number of messages within one second.")
+          .member("job_seconds", number({.unit = Unit::second}), "Time for one growth, export or measurement.")
+          .member("film_seconds", number({.unit = Unit::second}), "Time for one film.")
+          .member("memory_bytes", whole(), "Memory of the whole program while a job runs.")
+          .member("connections", whole(), "Maximum number of pages.");
+  return record;
+}
+
+const Record& hello_record() {
+  static const Record record =
+      WrittenRecord("Hello", "The first message of a connection.")
+          .member("protocol", whole(), "Version of the protocol: 1.")
+          .member("version", text(), "Version of the program.")
+          .member("root", text(), "Name of the folder whose documents can be opened.")
+          .member("root_key", text(), "Identifies the folder among folders of its name.")
+          .member("document", or_null(text()), "Path of the document to open first. Null: none.")
+          .member("model", or_null(text()), "Name of the model to open first. Null: none.")
+          .member("formats", list(forms::record(format_record)), "Formats of exported files.")
+          .member("overlays", list(forms::record(overlay_part_record)), "Overlays that can be shown over the plant.")
+          .member("limits", forms::record(limits_record), "Limits of the server.");
+  return record;
+}
+
+const Record& working_record() {
+  static const Record record =
+      WrittenRecord("Working", "Progress of a job, at most ten times a second.")
+          .member("job", job_name(), "The job. `question` stands for requests about the last growth.")
+          .optional("re", whole(), "The `id` of the request. Missing: the growth.")
+          .member("stage", or_null(text()), "What the job does now. Null: the job is over.")
+          .member("share", number({.min = 0, .max = 1}), "Finished share of the stage.");
+  return record;
+}
+
+const Record& stage_record() {
+  static const Record record = WrittenRecord("GrownStage", "A stage of the growth and its time.")
+                                   .member("name", text(), "Name of the stage.")
+                                   .member("ms", number(), "Time, milliseconds.");
+  return record;
+}
+
+const Record& reuse_record() {
+  static const Record record = WrittenRecord("GrownReuse", "The reuse of one kind of result.")
+                                   .member("what", text(), "Kind of result: instances, grown skeletons and so on.")
+                                   .member("made", whole(), "Number of new results.")
+                                   .member("reused", whole(), "Number of results from earlier growths.");
+  return record;
+}
+
+const Record& component_count_record() {
+  static const Record record = WrittenRecord("ComponentCount", "The size of a component in the scene.")
+                                   .member("instances", whole(), "Number of instances.")
+                                   .member("triangles", whole(), "Number of triangles of all instances.");
+  return record;
+}
+
+const Record& grown_record() {
+  static const Record record =
+      WrittenRecord("Grown", "A grown plant. It comes right before each packet.")
+          .member("hash", text(), "Hash of the text that has grown.")
+          .member("dragged", flag(), "True: with the values of a drag.")
+          .member("stages", list(forms::record(stage_record)), "Times of the stages. Reused stages are left out.")
+          .member("reuse", list(forms::record(reuse_record)),
+                  "How much was reused. Kinds that the plant does not need are left out.")
+          .member("nodes", whole(), "Number of nodes of all skeletons.")
+          .member("instances", whole(), "Number of instances.")
+          .member("triangles", or_null(whole()), "Number of triangles. Null: a coarser level is shown.")
+          .member("placed", or_null(map(whole())),
+                  "Number of instances by component, without omitted ones. Null: a drag.")
+          .member("components", or_null(map(forms::record(component_count_record))),
+                  "Size of each component. Null: a coarser level is shown.")
+          .member("step", whole(), "Growth step that is shown.")
+          .member("steps", or_null(whole()),
+                  "Number of steps of the plants that the step is for. Null: growth is not recorded.")
+          .member("growing", or_null(map(whole())),
+                  "Number of steps of the plants of each component that grows or places some. Null: growth is not "
+                  "recorded.");
+  return record;
+}
+
+const Record& failed_record() {
+  static const Record record =
+      WrittenRecord("Failed", "A growth that failed. The shown plant stays, even if it is a draft.")
+          .member("job", job_name(), "The job: `grow`.")
+          .member("hash", text(), "Hash of the text.")
+          .member("message", text(), "What went wrong.")
+          .optional("faults", faults(), "Reached limits of the document, and numbers that are not finite.")
+          .optional("limit", text(), "Name of the reached limit of the server.")
+          .optional("continues", flag(), "True: the work reached `job_seconds`, and `continue` continues it.");
+  return record;
+}
+
+}  // namespace
+
+ProtocolGroup view_messages() {
+  using enum AnswerTime;
+  return {
+      .name = "view",
+      .doc = "Messages about the connection, the view and the growth of the document.",
+      .requests = {request_type<ViewRequest>("view", at_once, view_members, no_members),
+                   request_type<ShownRequest>("shown", at_once, shown_members, no_members),
+                   request_type<AllRequest>("all", at_once, all_members, no_members),
+                   request_type<CancelRequest>("cancel", at_once, cancel_members, no_members),
+                   request_type<ContinueRequest>("continue", at_once, continue_members, no_members),
+                   request_type<PauseRequest>("pause", at_once, pause_members, no_members)},
+      .messages = {
+          {"hello", hello_record}, {"working", working_record}, {"grown", grown_record}, {"failed", failed_record}}};
+}
+
+}  // namespace meristem::studio

@@ -145,7 +145,7 @@ def write_cpp_pages(site: Site, headers: list[str]) -> None:
 
 
 def write_python_pages(site: Site, classes: list[str]) -> None:
-    titles = {"functions": "Functions", "errors": "Errors", "grass": "meristem.grass"}
+    titles = {"functions": "Functions and constants", "errors": "Errors", "grass": "meristem.grass"}
     for name in [*classes, *titles]:
         write(site.folder / "reference" / "python" / f"{name}.rst",
               titled(titles.get(name, f"meristem.{name}"), f".. python-page:: {name}"))

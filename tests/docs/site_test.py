@@ -64,6 +64,11 @@ class CppModel(InAFolder):
         self.assertEqual(cpp_model.faults_of([header]),
                          ["meristem/plant/tree.h:1: the header does not state its purpose"])
 
+    def test_the_head_of_a_header_may_have_code(self) -> None:
+        header = self.read("", head="// Trees:\n//\n//   a {\n//     b;\n//   }\n//\n// - item\n//   more\n")
+        self.assertEqual(list(prose.blocks_of(header.purpose)),
+                         [("paragraph", "Trees:"), ("code", "a {\n  b;\n}"), ("item", "item more")])
+
     def test_rows_of_a_table_stay_lines(self) -> None:
         header = self.read("/// Ages:\n///\n/// | a | b |\n/// | --- | --- |\n/// | 1 | 2 |\nint age();")
         self.assertEqual(header.declarations[0].text, "Ages:\n\n| a | b |\n| --- | --- |\n| 1 | 2 |")
@@ -90,6 +95,12 @@ class PythonModel(unittest.TestCase):
         assert isinstance(function, ast.FunctionDef)
         self.assertEqual(python_model.signature_text("grow", function, True),
                          "grow(time: float = 0.0, *, seed: int | None = None) -> Plant")
+
+    def test_aliases_of_types(self) -> None:
+        made = python_model.aliases_of('Wanted = Union[float, Tuple[float, float]]\nPath = Optional["os.PathLike[str]"]\n'
+                                       'Reason = Literal["end"]\nCOUNT = 3\n')
+        self.assertEqual(made, {"Wanted": "float | tuple[float, float]", "Path": "os.PathLike[str] | None",
+                                "Reason": "Literal['end']"})
 
     def test_names_without_a_docstring(self) -> None:
         names = {"meristem": [python_model.Name("Plant", "class", "A plant.", [], [

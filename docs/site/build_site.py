@@ -58,8 +58,9 @@ def main() -> int:
         [sys.executable, "-B", "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-E", "-j", jobs,
          "-c", str(stage.SITE), "-d", str(output / "doctrees"), "-D", f"reference_work={output / 'doxygen'}",
          str(output / "pages"), str(html)])
-    if (html / "_static").exists():
-        theme.mend_theme(html)
+    if not (html / "index.html").exists():
+        return 1  # Sphinx has stopped
+    theme.mend_theme(html)
     faults = broken_links(html)
     print(*(f"broken link: {fault}" for fault in faults[:100]), sep="\n", end="\n" if faults else "")
     return 1 if run.returncode or faults else 0

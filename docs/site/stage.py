@@ -83,8 +83,8 @@ def with_thumbnails(site: Site, page: PurePosixPath, text: str) -> str:
 def staged_page(site: Site, page: PurePosixPath, pages: set[PurePosixPath], text: str) -> str:
     def new_target(link: link_rule.Link) -> str:
         file = link_rule.file_of(page, link.target)
-        if file is None or link.target.startswith("/"):
-            return link.target
+        if file is None or link.target.startswith("/") or not (site.root / file).exists():
+            return link.target  # Sphinx warns of files that do not exist
         if link.is_picture:
             copy(site, file.as_posix())
             return link.target

@@ -134,6 +134,7 @@ class Pages(InAFolder):
     def test_links_to_sources_and_pictures_of_tables(self) -> None:
         self.write("models/oak.json", "{}")
         self.write("docs/oak.jpg", "")
+        self.write("docs/b.md", "")
         site = stage.Site(self.root, self.root / "site", set(), set())
         text = "[oak](../models/oak.json) [b](b.md#c) [d](https://d.org)\n![an oak](oak.jpg)\n| ![an oak](oak.jpg) |"
         made = stage.staged_page(site, PurePosixPath("docs/a.md"), {PurePosixPath("docs/b.md")}, text)
@@ -141,6 +142,12 @@ class Pages(InAFolder):
                                "| [![an oak](/thumbnails/docs/oak.jpg)](source:docs/oak.jpg) |")
         self.assertEqual(site.sources, {"models/oak.json", "docs/oak.jpg"})
         self.assertTrue((self.root / "site/docs/oak.jpg").exists())
+
+    def test_links_to_nothing_stay_for_sphinx(self) -> None:
+        site = stage.Site(self.root, self.root / "site", set(), set())
+        text = "[a](../none.json) ![b](none.jpg) [c](none.md)"
+        self.assertEqual(stage.staged_page(site, PurePosixPath("docs/a.md"), set(), text), text)
+        self.assertEqual(site.sources, set())
 
     def test_broken_links(self) -> None:
         self.write("a.html", '<a href="b.html#here">b</a> <a href="b.html#there">b</a> <a href="c.html">c</a> '

@@ -70,7 +70,7 @@ def with_thumbnails(site: Site, page: PurePosixPath, text: str) -> str:
     """Makes the pictures of tables small, with links to the large ones."""
     def change(found: re.Match[str]) -> str:
         name = posixpath.normpath(page.parent / found[2])
-        if not name.endswith((".jpg", ".png")):
+        if not name.endswith((".jpg", ".png")) or not (site.root / name).exists():
             return found[0]
         site.thumbnails.add(name)
         site.sources.add(name)

@@ -102,7 +102,7 @@ def first_sentence(text: str) -> str:
     """Returns the first sentence of the first paragraph."""
     for kind, block in blocks_of(text):
         if kind == "paragraph":
-            found = re.match(r"(.*?\.)(?=\s|$)", block)
+            found = re.match(r"((?:`[^`]*`|[^`])*?\.)(?=\s|$)", block)  # not within code
             return found[1] if found else block.rstrip(":")
     return ""
 

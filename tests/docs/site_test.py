@@ -114,6 +114,7 @@ class Prose(unittest.TestCase):
         self.assertEqual(list(prose.blocks_of(text)), [("paragraph", "Trees. Twigs grow."), ("code", "a = 1"),
                                                        ("item", "one"), ("item", "two more")])
         self.assertEqual(prose.first_sentence(text), "Trees.")
+        self.assertEqual(prose.first_sentence("Node k has `child[a .. b]`. More."), "Node k has `child[a .. b]`.")
 
     def test_links(self) -> None:
         known = {"kNoNode": "no.html", "Plant": "plant.html", "grow": "grow.html", "MeshScene": "scene.html"}

@@ -9,6 +9,7 @@ Out: OUTPUT/html/index.html. Exit code 1 after any warning, a public name withou
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -52,12 +53,14 @@ def main() -> int:
     classes = [name.name for name in names["meristem"] if name.kind == "class"]
     stage.collect_pages(stage.ROOT, output / "pages", classes)
     html = output / "html"
+    shutil.rmtree(html, ignore_errors=True)  # pages that no longer exist
     run = subprocess.run(
         [sys.executable, "-B", "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-E", "-j", jobs,
          "-c", str(stage.SITE), "-d", str(output / "doctrees"), "-D", f"reference_work={output / 'doxygen'}",
          str(output / "pages"), str(html)])
-    if (html / "_static").exists():
-        theme.mend_theme(html)
+    if not (html / "index.html").exists():
+        return 1  # Sphinx has stopped
+    theme.mend_theme(html)
     faults = broken_links(html)
     print(*(f"broken link: {fault}" for fault in faults[:100]), sep="\n", end="\n" if faults else "")
     return 1 if run.returncode or faults else 0

@@ -72,7 +72,7 @@ class Declaration:
 @dataclass
 class Header:
     path: str  #: as programs include it, for example "meristem/plant/skeleton.h"
-    purpose: str  #: comment at the head of the file; else the first sentence about its first declaration
+    purpose: str  #: comment at the head of the file; else the comment on its first class or function
     declarations: list[Declaration]
 
     @property
@@ -295,12 +295,19 @@ def head_of(text: str) -> str:
     """Returns the comment between the licence and `#pragma once`: paragraphs, and code that is indented."""
     head = text.partition("#pragma once")[0]
     lines = [line[2:].removeprefix(" ") for line in head.splitlines() if line.startswith("//") and "SPDX" not in line]
+    is_item = False
+    for index, line in enumerate(lines):
+        is_item = line.startswith("- ") or (is_item and line.startswith("  "))
+        if line.startswith("  ") and not is_item:
+            lines[index] = "  " + line  # code, which comments indent by two
     return "\n".join(lines).strip("\n")
 
 
-def first_sentence(text: str) -> str:
-    found = re.match(r"(.*?[.:])(?=\s|$)", text.partition("\n\n")[0])
-    return found[1] if found else text.partition("\n\n")[0]
+def purpose_of(text: str, declarations: list[Declaration]) -> str:
+    """Returns the head of a header, or else the comment on its first class, function or other name."""
+    order = {**{kind: 0 for kind in CLASSES}, "function": 1}
+    described = sorted((one for one in declarations if one.text), key=lambda one: order.get(one.kind, 2))
+    return head_of(text) or (described[0].text.partition("\n\n")[0] if described else "")
 
 
 def escaped(text: str) -> str:
@@ -328,9 +335,7 @@ def read_headers(folder: Path, root: Path, paths: list[str]) -> list[Header]:
     headers = []
     for path in paths:
         found = by_file.get(path, [])
-        described = [one.text for one in found if one.text]
-        purpose = head_of((root / path).read_text(encoding="utf-8"))
-        headers.append(Header(path, purpose or first_sentence(described[0] if described else ""), found))
+        headers.append(Header(path, purpose_of((root / path).read_text(encoding="utf-8"), found), found))
     return headers
 
 

@@ -66,7 +66,7 @@ def blocks_of(text: str) -> Iterator[tuple[str, str]]:
 
 
 def prose(text: str, resolve: Resolve, language: str) -> list[nodes.Node]:
-    """Returns the blocks of a text. Neighbouring blocks of code are one block. Code without a semicolon is not C++."""
+    """Returns the blocks of a text. Neighbouring blocks of code are one block."""
     found: list[nodes.Node] = []
     for kind, block in blocks_of(text):
         before = found[-1] if found else None
@@ -74,7 +74,7 @@ def prose(text: str, resolve: Resolve, language: str) -> list[nodes.Node]:
             if isinstance(before, nodes.literal_block):
                 block = before.astext() + "\n\n" + block
                 found.pop()
-            found.append(code_block(block, "none" if language == "cpp" and ";" not in block else language))
+            found.append(code_block(block, "none" if language == "cpp" and not is_cpp(block) else language))
         elif kind == "table":
             cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in block.splitlines()]
             rows = [[inline(cell, resolve) for cell in row] for row in cells[2:]]
@@ -89,6 +89,11 @@ def prose(text: str, resolve: Resolve, language: str) -> list[nodes.Node]:
     return found
 
 
+def is_cpp(code: str) -> bool:
+    """Returns true if a line ends like a statement. Comments also show grammars, commands and tables."""
+    return re.search(r";$", code, re.MULTILINE) is not None
+
+
 def code_block(text: str, language: str) -> nodes.literal_block:
     return nodes.literal_block(text, text, language=language)
 
@@ -97,8 +102,8 @@ def first_sentence(text: str) -> str:
     """Returns the first sentence of the first paragraph."""
     for kind, block in blocks_of(text):
         if kind == "paragraph":
-            found = re.match(r"(.*?[.:])(?=\s|$)", block)
-            return found[1].rstrip(":") if found else block
+            found = re.match(r"((?:`[^`]*`|[^`])*?\.)(?=\s|$)", block)  # not within code
+            return found[1] if found else block.rstrip(":")
     return ""
 
 

@@ -22,7 +22,7 @@ Node = Union[ast.FunctionDef, ast.ClassDef, ast.AnnAssign]
 
 SHOWN_OPERATORS = {"__getitem__": "self[{}]", "__iter__": "iter(self)", "__len__": "len(self)",
                    "__enter__": "with self"}
-#: Names of types as readers know them, for names that the module does not show.
+#: Types by their private names. read_names adds the aliases of all sources, such as `Wanted`.
 PLAIN_TYPES = {"_ProgressCallback": "Callable[[str, float], object]"}
 
 
@@ -56,12 +56,47 @@ def source_of(path: Path) -> Source:
     return Source(nodes, comments)
 
 
+class Plain(ast.NodeTransformer):
+    """Writes Union[A, B] as A | B, Optional[A] as A | None, Tuple as tuple, and quoted types without quotes."""
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.AST:
+        name = ast.unparse(node.value)
+        if name == "Literal":
+            return node
+        self.generic_visit(node)
+        parts = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        if name not in ("Union", "Optional"):
+            return node
+        parts = [*parts, ast.Constant(None)] if name == "Optional" else parts
+        joined = parts[0]
+        for part in parts[1:]:
+            joined = ast.BinOp(joined, ast.BitOr(), part)
+        return joined
+
+    def visit_Name(self, node: ast.Name) -> ast.AST:
+        return ast.Name("tuple") if node.id == "Tuple" else node
+
+    def visit_Constant(self, node: ast.Constant) -> ast.AST:
+        return self.visit(ast.parse(node.value, mode="eval").body) if isinstance(node.value, str) else node
+
+
 def type_text(node: ast.expr | None) -> str:
-    text = "" if node is None else ast.unparse(node).replace("'", "") if isinstance(node, ast.Constant) and \
-        isinstance(node.value, str) else ast.unparse(node)
-    for name, plain in PLAIN_TYPES.items():
-        text = text.replace(name, plain)
+    if node is None:
+        return ""
+    text = ast.unparse(Plain().visit(node))
+    for _ in range(2):  # aliases of aliases
+        text = re.sub(r"\b\w+\b", lambda word: PLAIN_TYPES.get(word[0], word[0]), text)
     return re.sub(r"\bnp\.", "numpy.", text)
+
+
+def aliases_of(text: str) -> dict[str, str]:
+    """Returns the names of types that a source defines, such as `Wanted = Union[float, Tuple[float, float]]`."""
+    found = {}
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and \
+                isinstance(node.value, (ast.Subscript, ast.BinOp)) and re.match(r"_?[A-Z][a-z]", node.targets[0].id):
+            found[node.targets[0].id] = ast.unparse(Plain().visit(node.value))
+    return found
 
 
 def signature_text(name: str, function: ast.FunctionDef, is_method: bool) -> str:
@@ -133,8 +168,10 @@ def class_of(name: str, value: Any, node: ast.ClassDef, source: Source) -> Name:
             members.setdefault(child.name, []).append(child)
         elif isinstance(child, ast.AnnAssign) and isinstance(child.target, ast.Name) and child.target.id[0] != "_":
             text = source.comments.get(child.lineno, "") or comment_above(source, child.lineno)
+            has_default = child.value is not None and not isinstance(child.value, ast.Call)
+            default = f" = {ast.unparse(child.value)}" if has_default else ""
             attributes.append(Name(child.target.id, "attribute", text,
-                                   [f"{child.target.id}: {type_text(child.annotation)}"]))
+                                   [f"{child.target.id}: {type_text(child.annotation)}{default}"]))
     constructors = [signature_text(name, one, True) for one in members.pop("__init__", [])]
     if is_dataclass(node) and not constructors:
         constructors = [f"{name}({', '.join(one.signatures[0] for one in attributes)})"]
@@ -152,7 +189,10 @@ def comment_above(source: Source, line: int) -> str:
 
 def read_names(package: Path, module: Any) -> list[Name]:
     """Returns the public names of a module of the package, in their order in `__all__`."""
-    sources = {path.stem: source_of(path) for path in [*package.glob("*.py"), *package.glob("*.pyi")]}
+    files = [*package.glob("*.py"), *package.glob("*.pyi")]
+    for path in files:
+        PLAIN_TYPES.update(aliases_of(path.read_text(encoding="utf-8")))
+    sources = {path.stem: source_of(path) for path in files}
     names = []
     for name in module.__all__:
         value = getattr(module, name)

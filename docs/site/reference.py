@@ -240,7 +240,8 @@ class CppRoom(CppPage):
         resolve = self.resolver("")
         found: list[nodes.Node] = [nodes.paragraph(
             "", "", link("C++ reference", self.address(("reference/cpp/index", ""))), classes=["way"])]
-        found.append(nodes.paragraph("", "", *inline(self.reference.rooms[room], resolve)))
+        text = self.reference.rooms[room]
+        found.append(nodes.paragraph("", "", *inline(text[0].upper() + text[1:].removesuffix(".") + ".", resolve)))
         rows = []
         for header in self.reference.headers.values():
             if header.room != room:
@@ -319,6 +320,7 @@ class PythonDocs(PythonPage):
             "", "", link("Python reference", self.address(("reference/python/index", ""))), classes=["way"])]
         listed = [(module, name) for module, names in self.reference.names.items() for name in names
                   if page_of_python(module, name) == page]
+        listed.sort(key=lambda one: one[1].kind == "constant")
         for module, name in listed:
             full = name.name if module == "meristem" else f"{module.rsplit('.', 1)[1]}.{name.name}"
             described = self.describe(name, full)

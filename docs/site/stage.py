@@ -70,7 +70,7 @@ def with_thumbnails(site: Site, page: PurePosixPath, text: str) -> str:
     """Makes the pictures of tables small, with links to the large ones."""
     def change(found: re.Match[str]) -> str:
         name = posixpath.normpath(page.parent / found[2])
-        if not name.endswith((".jpg", ".png")):
+        if not name.endswith((".jpg", ".png")) or not (site.root / name).exists():
             return found[0]
         site.thumbnails.add(name)
         site.sources.add(name)
@@ -83,8 +83,8 @@ def with_thumbnails(site: Site, page: PurePosixPath, text: str) -> str:
 def staged_page(site: Site, page: PurePosixPath, pages: set[PurePosixPath], text: str) -> str:
     def new_target(link: link_rule.Link) -> str:
         file = link_rule.file_of(page, link.target)
-        if file is None or link.target.startswith("/"):
-            return link.target
+        if file is None or link.target.startswith("/") or not (site.root / file).exists():
+            return link.target  # Sphinx warns of files that do not exist
         if link.is_picture:
             copy(site, file.as_posix())
             return link.target
@@ -145,7 +145,7 @@ def write_cpp_pages(site: Site, headers: list[str]) -> None:
 
 
 def write_python_pages(site: Site, classes: list[str]) -> None:
-    titles = {"functions": "Functions", "errors": "Errors", "grass": "meristem.grass"}
+    titles = {"functions": "Functions and constants", "errors": "Errors", "grass": "meristem.grass"}
     for name in [*classes, *titles]:
         write(site.folder / "reference" / "python" / f"{name}.rst",
               titled(titles.get(name, f"meristem.{name}"), f".. python-page:: {name}"))

@@ -308,8 +308,8 @@ Each query takes all its positions at once, as arrays in metres. `threads` bound
 is a Progress or a function of stage and fraction. Queries raise TypeError for wrong types, ValueError for wrong shapes
 and values, and Cancelled.
 
-    scene = meristem.Scene({"latitude": 50, "sun": {"day": 172, "every_hours": 1}, "sky": 0.3,
-                            "obstacles": [{"box": [[1, 0, -1], [2, 3, 1]]}]})
+    scene = meristem.Scene({"latitude": 50, "sun": {"day": 172, "every_hours": 1},
+                            "sky": 0.3, "obstacles": [{"box": [[1, 0, -1], [2, 3, 1]]}]})
     light = scene.light_at([[0.8, 0.5, 0], [-5, 0.5, 0]])
     assert light[0] < light[1]
     assert scene.inside([[1.5, 1, 0]]).all())");

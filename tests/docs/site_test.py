@@ -64,6 +64,11 @@ class CppModel(InAFolder):
         self.assertEqual(cpp_model.faults_of([header]),
                          ["meristem/plant/tree.h:1: the header does not state its purpose"])
 
+    def test_the_head_of_a_header_may_have_code(self) -> None:
+        header = self.read("", head="// Trees:\n//\n//   a {\n//     b;\n//   }\n//\n// - item\n//   more\n")
+        self.assertEqual(list(prose.blocks_of(header.purpose)),
+                         [("paragraph", "Trees:"), ("code", "a {\n  b;\n}"), ("item", "item more")])
+
     def test_rows_of_a_table_stay_lines(self) -> None:
         header = self.read("/// Ages:\n///\n/// | a | b |\n/// | --- | --- |\n/// | 1 | 2 |\nint age();")
         self.assertEqual(header.declarations[0].text, "Ages:\n\n| a | b |\n| --- | --- |\n| 1 | 2 |")
@@ -91,6 +96,12 @@ class PythonModel(unittest.TestCase):
         self.assertEqual(python_model.signature_text("grow", function, True),
                          "grow(time: float = 0.0, *, seed: int | None = None) -> Plant")
 
+    def test_aliases_of_types(self) -> None:
+        made = python_model.aliases_of('Wanted = Union[float, Tuple[float, float]]\nPath = Optional["os.PathLike[str]"]\n'
+                                       'Reason = Literal["end"]\nCOUNT = 3\n')
+        self.assertEqual(made, {"Wanted": "float | tuple[float, float]", "Path": "os.PathLike[str] | None",
+                                "Reason": "Literal['end']"})
+
     def test_names_without_a_docstring(self) -> None:
         names = {"meristem": [python_model.Name("Plant", "class", "A plant.", [], [
             python_model.Name("age", "property", "", []), python_model.Name("__len__", "method", "", [])])]}
@@ -103,6 +114,7 @@ class Prose(unittest.TestCase):
         self.assertEqual(list(prose.blocks_of(text)), [("paragraph", "Trees. Twigs grow."), ("code", "a = 1"),
                                                        ("item", "one"), ("item", "two more")])
         self.assertEqual(prose.first_sentence(text), "Trees.")
+        self.assertEqual(prose.first_sentence("Node k has `child[a .. b]`. More."), "Node k has `child[a .. b]`.")
 
     def test_links(self) -> None:
         known = {"kNoNode": "no.html", "Plant": "plant.html", "grow": "grow.html", "MeshScene": "scene.html"}
@@ -123,6 +135,7 @@ class Pages(InAFolder):
     def test_links_to_sources_and_pictures_of_tables(self) -> None:
         self.write("models/oak.json", "{}")
         self.write("docs/oak.jpg", "")
+        self.write("docs/b.md", "")
         site = stage.Site(self.root, self.root / "site", set(), set())
         text = "[oak](../models/oak.json) [b](b.md#c) [d](https://d.org)\n![an oak](oak.jpg)\n| ![an oak](oak.jpg) |"
         made = stage.staged_page(site, PurePosixPath("docs/a.md"), {PurePosixPath("docs/b.md")}, text)
@@ -130,6 +143,12 @@ class Pages(InAFolder):
                                "| [![an oak](/thumbnails/docs/oak.jpg)](source:docs/oak.jpg) |")
         self.assertEqual(site.sources, {"models/oak.json", "docs/oak.jpg"})
         self.assertTrue((self.root / "site/docs/oak.jpg").exists())
+
+    def test_links_to_nothing_stay_for_sphinx(self) -> None:
+        site = stage.Site(self.root, self.root / "site", set(), set())
+        text = "[a](../none.json) ![b](none.jpg) [c](none.md)"
+        self.assertEqual(stage.staged_page(site, PurePosixPath("docs/a.md"), set(), text), text)
+        self.assertEqual(site.sources, set())
 
     def test_broken_links(self) -> None:
         self.write("a.html", '<a href="b.html#here">b</a> <a href="b.html#there">b</a> <a href="c.html">c</a> '

@@ -7,5 +7,6 @@ const scrolled = document.querySelector(".sidebar-scroll");
 if (pages.length > 0 && scrolled) {
   const page = pages[pages.length - 1].getBoundingClientRect();
   const view = scrolled.getBoundingClientRect();
-  if (page.bottom > view.bottom) scrolled.scrollTop += page.top - view.top - view.height / 2;
+  const top = scrolled.scrollTop + page.top - view.top - view.height / 2;
+  if (page.bottom > view.bottom) scrolled.scrollTo({ top, behavior: "instant" });
 }

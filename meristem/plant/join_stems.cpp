@@ -215,7 +215,11 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
     }
     Stem& stem = joined.emplace_back();
     stem.parts[0] = std::move(stems[k].part);
-    stem.skeleton = stems[k].own != nullptr ? std::move(*stems[k].own) : *stems[k].skeleton;
+    if (stems[k].own != nullptr) {
+      stem.skeleton = std::move(*stems[k].own);
+    } else {
+      stem.skeleton = *stems[k].skeleton;
+    }
     stem.individual_of_root = std::move(stems[k].individual_of_root);
     const auto count = static_cast<AxisIndex>(stem.skeleton.axis_count());
     stem.axis_names.reserve(count);

@@ -34,8 +34,8 @@ const Record& export_options() {
       RecordTable<ExportOptions>("ExportOptions", "Options of an export.")
           .whole("lod", &ExportOptions::lod, {0, kCoarsestDetail}, "Number of coarser levels that are written too.")
           .or_default()
-          .text("instances", &ExportOptions::instances,
-                "How instances are stored: `automatic`, `rows` or `nodes`. Only for formats that can store them.")
+          .several("instances", choice({"automatic", "rows", "nodes"}), &ExportOptions::instances,
+                   "How instances are stored. Only for formats that can store them.")
           .or_default("automatic")
           .whole("seed", &ExportOptions::seed, {0, kMaxWhole}, "Seed instead of the seed of the document.")
           .number("time", &ExportOptions::time, {-kMaxSeconds, kMaxSeconds, Unit::second}, "Time of the document.")

@@ -13,10 +13,12 @@
 
 #include "apps/film/film.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/in_quotes.h"
 #include "meristem/components/camera.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/write/picture_file.h"
+#include "protocol/check.h"
 #include "refusal.h"
 #include "zip_file.h"
 
@@ -147,17 +149,24 @@ Value formats_value() {
   return list;
 }
 
+namespace {
+
+[[noreturn]] void refuse_format(const std::string& format) {
+  std::vector<std::string> endings;
+  const Value known = formats_value();
+  for (const Value& one : *known.list()) endings.push_back(*one.find("ending")->text());
+  throw Refusal(fmt::format("there is no format {}{}", in_quotes(format), similar(format, endings)));
+}
+
+}  // namespace
+
 void check_export(const ExportOptions& options) {
   if (is_film(options) && !film::can_make_films())
     throw Refusal("a film needs the program ffmpeg, which is not installed; pictures of many times need nothing");
   if (options.frames && !is_film(options) && !is_picture(options))
     throw Refusal("films and pictures alone have frames");
   if (!is_picture(options) && !is_document(options) && !is_film(options) && format_with(options.format) == nullptr)
-    throw Refusal("this format cannot be exported");
-  if (!options.instances.empty() && options.instances != "automatic" && options.instances != "rows" &&
-      options.instances != "nodes") {
-    throw Refusal("'instances' is one of automatic, rows and nodes");
-  }
+    refuse_format(options.format);
   if (options.transparent && options.format == ".jpg") throw Refusal("a JPEG has no transparency");
   if (options.transparent && is_film(options)) throw Refusal("a film has no transparency");
 }

@@ -163,6 +163,8 @@ TEST(Request, NamesTheNearestValidName) {
             "the message has an unknown member 'now'; there are no members");
   EXPECT_EQ(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": {"tiem": 1}})"),
             "'options' has an unknown member 'tiem'; did you mean 'time'?");
+  EXPECT_EQ(refusal(R"({"id": 1, "do": "export", "format": ".glb", "options": {"instances": "row"}})"),
+            "'options.instances' is none of automatic, rows, nodes; did you mean 'rows'?");
   EXPECT_EQ(refusal(R"({"id": 1, "do": "edit", "base": "a", "edits": [{"unset": "a"}, {"ste": "a", "value": 1}]})"),
             "'edits[1]' has none of set, unset, insert, remove, rename, move, note, paste; did you mean 'set'?");
   EXPECT_EQ(refusal(R"({"id": 1, "do": "shoot", "component": "a", "go": "up"})"),

@@ -86,7 +86,9 @@ TEST(StudioSession, ExportsEachFormat) {
   }
   EXPECT_FALSE(studio.host().downloads.find(1, "my-bush.glb")->empty());
   EXPECT_FALSE(studio.host().downloads.find(1, "../1/my-bush.glb"));
-  EXPECT_TRUE(is_refused(studio.ask("export", R"("format": ".exe")")));
+  EXPECT_EQ(Studio::text_of(studio.ask("export", R"("format": ".gbl")"), "message"),
+            "there is no format '.gbl'; did you mean '.glb'?");
+  EXPECT_EQ(Studio::text_of(studio.ask("export", R"("format": ".exe")"), "message"), "there is no format '.exe'");
 }
 
 TEST(StudioSession, ACoarserLevelIsExportedInTheSameArchive) {

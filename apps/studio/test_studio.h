@@ -148,9 +148,11 @@ class Studio {
   }
 
   /// Sends a request and returns its answer. `members` are the request's members in JSON.
-  Value ask(const std::string& what, const std::string& members = "") {
+  Value ask(const std::string& what, const std::string& members = "") { return mailbox_->answer(send(what, members)); }
+  /// Sends a request and returns its number.
+  double send(const std::string& what, const std::string& members = "") {
     page().receive(request(what, members));
-    return mailbox_->answer(id_);
+    return id_;
   }
   std::string request(const std::string& what, const std::string& members) {
     mailbox_->expect_answer(++id_, what);

@@ -63,9 +63,9 @@ const Record& point_record() {
                                    .number("at", &Point::at, {0, 10}, "Position.")
                                    .text("name", &Point::name, "Name.")
                                    .flag("large", &Point::is_large, "Size.")
-                                   .or_default(false)
-                                   .several("numbers", list(number()), &Point::numbers, "Numbers.")
                                    .or_default()
+                                   .several("numbers", list(number()), &Point::numbers, "Numbers.")
+                                   .optional()
                                    .rule([](const Point& point, const Value&) -> std::string {
                                      return point.is_large && !point.name ? "needs a 'name'" : "";
                                    });

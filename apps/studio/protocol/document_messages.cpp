@@ -128,7 +128,7 @@ const Record& paste_edit() {
       RecordTable<InsertPart>("PasteEdit", "Inserts a part of a document.")
           .text("paste", &InsertPart::text, "The part, as `part` answers it.")
           .several("names", map(text()), &InsertPart::names, "New names of components, by their names in the part.")
-          .or_default()
+          .optional()
           .whole("index", &InsertPart::index, kIndex, "Index of its first component. Missing: behind the last.")
           .whole("link_index", &InsertPart::link_index, kIndex, "Index of its first link. Missing: behind the last.");
   return record;
@@ -153,7 +153,7 @@ const Record& edit_members() {
               "The edits, in their order.")
           .flag("only_if_good", &EditRequest::only_if_good,
                 "True: refused with `faults`, without a change, if a text without errors would get errors.")
-          .or_default(false);
+          .or_default();
   return record;
 }
 

@@ -33,13 +33,13 @@ const Record& export_options() {
   static const Record record =
       RecordTable<ExportOptions>("ExportOptions", "Options of an export.")
           .whole("lod", &ExportOptions::lod, {0, kCoarsestDetail}, "Number of coarser levels that are written too.")
-          .or_default(0)
-          .text("instances", &ExportOptions::instances,
-                "How instances are stored: `automatic`, `rows` or `nodes`. Only for formats that can store them.")
+          .or_default()
+          .several("instances", choice({"automatic", "rows", "nodes"}), &ExportOptions::instances,
+                   "How instances are stored. Only for formats that can store them.")
           .or_default("automatic")
           .whole("seed", &ExportOptions::seed, {0, kMaxWhole}, "Seed instead of the seed of the document.")
           .number("time", &ExportOptions::time, {-kMaxSeconds, kMaxSeconds, Unit::second}, "Time of the document.")
-          .or_default(0)
+          .or_default()
           .whole("width", &ExportOptions::width, kPicturePixels,
                  "Width of pictures, pixels. Missing: the document's own.")
           .whole("height", &ExportOptions::height, kPicturePixels,
@@ -47,7 +47,7 @@ const Record& export_options() {
           .whole("samples", &ExportOptions::samples, {1, 65536},
                  "Rays per pixel of pictures. More rays make smoother pictures and take longer.")
           .flag("transparent", &ExportOptions::transparent, "True: pictures have no background.")
-          .or_default(false)
+          .or_default()
           .record("camera", &ExportOptions::camera, export_camera, "Camera of pictures. Missing: the document's own.")
           .record("frames", &ExportOptions::frames, export_frames_record,
                   "Times of a film, or of several pictures. Missing: a film of the whole animation, or one picture.");
@@ -65,7 +65,7 @@ Record export_request(std::string name, std::string doc) {
           "name", [](R& request) -> std::optional<std::string>& { return request.options.name; },
           "Name of the file, without an ending. Null: the name of the document.")
       .record("options", options, export_options, "Options of the export.")
-      .or_default();
+      .optional();
 }
 
 const Record& export_members() {
@@ -115,14 +115,14 @@ const Record& stills_members() {
               },
               "Values of each picture, by their paths as in `drag`. Empty: cancels the previous request.")
           .whole("width", &StillsRequest::width, kStillPixels, "Width of each picture, pixels.")
-          .or_default()
+          .optional()
           .whole("height", &StillsRequest::height, kStillPixels, "Height of each picture, pixels.")
-          .or_default()
+          .optional()
           .record("camera", &StillsRequest::camera, export_camera, "Camera of each picture.")
-          .or_default()
+          .optional()
           .flag("fit", &StillsRequest::fits,
                 "True: moves the camera back until it shows the whole of the largest plant.")
-          .or_default(true)
+          .or_default()
           .rule([](const StillsRequest& request, const Value& members) -> std::string {
             for (const char* name : {"width", "height", "camera"}) {
               const Value* member = members.find(name);

@@ -42,7 +42,7 @@ const Record& save_members() {
           .text("hash", &SaveRequest::hash, "Hash of the text of the page. The server saves no other text.")
           .text("saved", &SaveRequest::saved, "Hash that the page expects on the disk. Null: a new file.")
           .flag("over", &SaveRequest::over, "True: replaces the file even if its hash is not `saved`.")
-          .or_default(false);
+          .or_default();
   return record;
 }
 
@@ -113,7 +113,7 @@ const Record& part_members() {
           .text("model", &PartRequest::model, "Name of a shipped model.")
           .text("text", &PartRequest::text, "Text of a document.")
           .several("components", list(text()), &PartRequest::components, "Ids of components. Missing: all but cameras.")
-          .or_default()
+          .optional()
           .rule([](const PartRequest& request, const Value&) -> std::string {
             return request.model && request.text ? "has both a 'model' and a 'text'" : "";
           });
@@ -136,7 +136,7 @@ const Record& picture_members() {
       RecordTable<PictureRequest>("PictureRequest", "Makes a small version of a picture.")
           .text("file", &PictureRequest::file, "Path of the picture as the document writes it.")
           .whole("size", &PictureRequest::size, {16, 512}, "Pixels along the longer side.")
-          .or_default(96);
+          .or_default();
   return record;
 }
 

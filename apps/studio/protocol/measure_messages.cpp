@@ -16,10 +16,10 @@ const Record& measures_members() {
   static const Record record =
       RecordTable<MeasuresRequest>("MeasuresRequest", "Measures the document.")
           .flag("light", &MeasuresRequest::light, "True: also measures the light on organs.")
-          .or_default(false)
+          .or_default()
           .number("layer_height", &MeasuresRequest::layer_height, {0, kMaxPosition, Unit::metre},
                   "Height of the layers for leaf area by height. 0: no layers.")
-          .or_default(0);
+          .or_default();
   return record;
 }
 
@@ -56,7 +56,7 @@ const Record& sweep_members() {
           .text("path", &SweepRequest::path, "Path of a variable or a number.")
           .several("values", list(number(), kMaxSwept, 1), &SweepRequest::values, "The values.")
           .flag("light", &SweepRequest::light, "True: also measures the light on organs.")
-          .or_default(false);
+          .or_default();
   return record;
 }
 

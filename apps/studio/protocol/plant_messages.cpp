@@ -39,15 +39,15 @@ const Record& grammar_members() {
           .whole("step", &GrammarRequest::step, {0, kMostSteps},
                  "Steps of the derivation. Null: the steps of the component.")
           .read("instance", text(), read_key, "Key of an instance. Missing, or without an instance: by `number`.")
-          .or_default()
+          .optional()
           .whole("number", &GrammarRequest::number, {0, kMaxWhole}, "Number of the instance.")
-          .or_default(0)
+          .or_default()
           .flag("drawn", &GrammarRequest::is_drawn, "True: the word after the rules of interpretation.")
-          .or_default(false)
+          .or_default()
           .whole("first", &GrammarRequest::first, {0, kMaxWhole}, "Index of the first module of the answer.")
-          .or_default(0)
+          .or_default()
           .whole("count", &GrammarRequest::count, {0, kMaxModules}, "Maximum number of modules of the answer.")
-          .or_default(4000);
+          .or_default();
   return record;
 }
 

@@ -180,7 +180,11 @@ TEST(Protocol, EachRequestIsAnsweredAsDescribed) {
     if (apart.contains(name)) continue;
     std::string members = kMembers.contains(name) ? kMembers.at(name) : "";
     if (const std::size_t at = members.find("\"H\""); at != std::string::npos) members.replace(at + 1, 1, hash);
-    const Value answer = studio.ask(name, members);
+    const double id = studio.send(name, members);
+    if (find_request(name)->time == AnswerTime::at_once) {
+      EXPECT_TRUE(studio.mailbox().answered().contains(name)) << name << " is answered before the next request";
+    }
+    const Value answer = studio.mailbox().answer(id);
     EXPECT_FALSE(is_refused(answer)) << name << ": " << Studio::text_of(answer, "message");
   }
   for (const char* name : {"continue", "cancel", "all"}) EXPECT_FALSE(is_refused(studio.ask(name)));

@@ -11,8 +11,8 @@
 //   }
 //
 // Members are found by pointers to members, or by functions that return a reference into the struct. A member with an
-// optional<> may be missing or null; the others are required unless `or_default` follows. Messages that are only
-// written have a WrittenRecord.
+// optional<> may be missing or null; the others are required unless `optional` or `or_default` follows. Messages that
+// are only written have a WrittenRecord.
 #pragma once
 
 #include <cstdint>
@@ -162,13 +162,17 @@ class RecordTable {
     };
     return std::move(*this);
   }
-  /// Allows the last member to be missing or null. Its default is then kept; `fallback` is the default in messages, if
-  /// it can be written there.
-  RecordTable&& or_default(std::optional<Value> fallback = {}) && {
+  /// Allows the last member to be missing or null. The struct's default is then kept.
+  RecordTable&& optional() && {
     record_.members.back().is_required = false;
     record_.members.back().form.or_null = true;
-    record_.members.back().fallback = std::move(fallback);
     return std::move(*this);
+  }
+  /// Like optional(). The struct's default belongs to the description: `written`, or the default as a message writes
+  /// it.
+  RecordTable&& or_default(std::optional<Value> written = {}) && {
+    record_.members.back().fallback = written ? std::move(written) : default_;
+    return std::move(*this).optional();
   }
   /// Sets a rule between members. It returns what is wrong, as in "needs a picture or a text", or an empty text.
   RecordTable&& rule(std::string (*check)(const P&, const Value& object)) && {
@@ -195,16 +199,32 @@ class RecordTable {
         {.name = std::move(name), .form = std::move(form), .doc = std::move(doc), .is_required = !kIsOptional});
     return record_.members.back();
   }
+  /// Notes the default of the last member if it is a flag or a number.
+  template <class Access>
+  void note_default(Access access) {
+    P original;
+    const auto& member = std::invoke(access, original);
+    using M = std::remove_cvref_t<decltype(member)>;
+    if constexpr (std::is_same_v<M, bool>) {
+      default_ = Value(member);
+    } else if constexpr (std::is_arithmetic_v<M>) {
+      default_ = Value(static_cast<double>(member));
+    } else {
+      default_.reset();
+    }
+  }
   template <class Access>
   RecordTable&& member(std::string name, Form form, Access access, std::string doc) && {
     add<Access>(std::move(name), std::move(form), std::move(doc)).store = [access](void* object, const Value& value,
                                                                                    const DocumentPath&) {
       store_value(std::invoke(access, *static_cast<P*>(object)), value);
     };
+    note_default(access);
     return std::move(*this);
   }
 
   Record record_;
+  std::optional<Value> default_;  // default of the last member
 };
 
 /// Describes an object that the server writes.

@@ -66,7 +66,7 @@ const Record& shoot_members() {
                   "Step to a neighbour. `child`: the first shoot at or above the metamer, or else the last. `next`, "
                   "`previous`: among the shoots of the parent, or among all stems, round and round. Missing: the shoot "
                   "itself.")
-          .or_default();
+          .optional();
   return record;
 }
 
@@ -75,7 +75,7 @@ const Record& operations_members() {
       RecordTable<OperationsRequest>("OperationsRequest", "Lists the effects of operations on trees.")
           .text("component", &OperationsRequest::component, "Id of the component.")
           .text("operation", &OperationsRequest::operation, "Path of an operation whose places are listed.")
-          .or_default()
+          .optional()
           .whole("iteration", &OperationsRequest::iteration, {0, kMaxIteration},
                  "Iteration after which it acted. Missing: any.");
   return record;

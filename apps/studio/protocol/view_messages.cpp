@@ -19,7 +19,7 @@ const Record& shown_growth() {
           .flag("recorded", &ShownGrowth::is_recorded,
                 "True: growth is recorded, for overlays and for the `steps` of `grown`.")
           .text("of", &ShownGrowth::of, "Component whose plants the step is for. Null: all plants.")
-          .or_default();
+          .optional();
   return record;
 }
 

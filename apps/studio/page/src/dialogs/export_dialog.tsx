@@ -15,7 +15,9 @@ import { TimeModel } from '../time/time_model.ts';
 import { ExportFooter } from './export_footer.tsx';
 import { take_file } from './recording.ts';
 
-const kInstances = [
+type Instances = NonNullable<ExportOptions['instances']>;
+
+const kInstances: readonly (readonly [Instances, string])[] = [
   ['automatic', 'As the size asks'],
   ['rows', 'Rows of places (EXT_mesh_gpu_instancing)'],
   ['nodes', 'A node each, which every program reads'],
@@ -111,7 +113,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
             id="instances"
             className="select"
             value={options.instances ?? 'automatic'}
-            onChange={(event) => set_options({ ...options, instances: event.target.value })}
+            onChange={(event) => set_options({ ...options, instances: event.target.value as Instances })}
           >
             {kInstances.map(([name, text]) => (
               <option key={name} value={name}>

@@ -28,8 +28,8 @@ export interface ExportFrames {
 export interface ExportOptions {
   /// Number of coarser levels that are written too.
   lod?: number | null;
-  /// How instances are stored: `automatic`, `rows` or `nodes`. Only for formats that can store them.
-  instances?: string | null;
+  /// How instances are stored. Only for formats that can store them.
+  instances?: 'automatic' | 'rows' | 'nodes' | null;
   /// Seed instead of the seed of the document.
   seed?: number | null;
   /// Time of the document.

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 jobs=$(nproc)
-export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime RC_PARAMS=${RC_PARAMS:-seed=1}
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_COMMENTS=yes RC_PARAMS=${RC_PARAMS:-seed=1}
 
 title() { printf '\n==== %s (%s s)\n' "$*" "$SECONDS"; }
 fail() {

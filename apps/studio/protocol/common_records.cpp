@@ -34,8 +34,8 @@ const Record& no_members() {
 const Record& fault_record() {
   static const Record record = WrittenRecord("Fault", "An error or a warning about a text.")
                                    .member("severity", choice({"error", "warning"}), "A text with errors is not grown.")
-                                   .member("message", text(), "What is wrong.")
-                                   .member("expected", text(), "What is expected instead, or an empty text.")
+                                   .member("message", text(), "Description of the fault.")
+                                   .member("expected", text(), "Expected value, or an empty text.")
                                    .member("nearest", text(), "The nearest valid name, or an empty text.")
                                    .member("path", text(), "Path in the document, or an empty text.")
                                    .member("line", or_null(whole()), "Line, from 1. Null: unknown.")
@@ -82,7 +82,7 @@ const Record& reading_record() {
 const Record& refused_record() {
   static const Record record =
       WrittenRecord("Refused", "The reason why a request was refused.")
-          .member("message", text(), "What is wrong, for users.")
+          .member("message", text(), "Reason of the refusal, for users.")
           .optional("faults", faults(), "Faults of the document.")
           .optional("limit", text(), "Name of the reached limit of the server.")
           .optional("cancelled", flag(), "True: the request was cancelled by the page, or by a newer request.")

@@ -126,7 +126,7 @@ const Record& working_record() {
       WrittenRecord("Working", "Progress of a job, at most ten times a second.")
           .member("job", job_name(), "The job. `question` stands for requests about the last growth.")
           .optional("re", whole(), "The `id` of the request. Missing: the growth.")
-          .member("stage", or_null(text()), "What the job does now. Null: the job is over.")
+          .member("stage", or_null(text()), "Present stage of the job. Null: the job is over.")
           .member("share", number({.min = 0, .max = 1}), "Finished share of the stage.");
   return record;
 }
@@ -182,7 +182,7 @@ const Record& failed_record() {
       WrittenRecord("Failed", "A growth that failed. The shown plant stays, even if it is a draft.")
           .member("job", job_name(), "The job: `grow`.")
           .member("hash", text(), "Hash of the text.")
-          .member("message", text(), "What went wrong.")
+          .member("message", text(), "Reason of the failure.")
           .optional("faults", faults(), "Reached limits of the document, and numbers that are not finite.")
           .optional("limit", text(), "Name of the reached limit of the server.")
           .optional("continues", flag(), "True: the work reached `job_seconds`, and `continue` continues it.");

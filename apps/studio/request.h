@@ -112,16 +112,19 @@ struct InstanceRequest {
   Vec3 position{0};
 };
 
+struct RequestedShoot {
+  std::uint32_t stem = 0;
+  std::uint32_t tree = 0;
+  std::string shoot;
+  std::uint32_t metamer = 0;
+};
+
 struct ShootRequest {
   /// Steps from a shoot to another one; `nowhere`: the shoot itself.
   enum class Go { nowhere, parent, child, next, previous };
 
-  struct Name {
-    std::uint32_t stem = 0;
-    std::uint32_t tree = 0;
-    std::string shoot;
-    std::uint32_t metamer = 0;
-  };
+  using Name = RequestedShoot;
+
   std::string component;
   std::optional<Name> of;
   Go go = Go::nowhere;

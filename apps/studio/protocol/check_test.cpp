@@ -9,8 +9,6 @@
 
 namespace meristem::studio::check_test {
 
-using namespace forms;
-
 std::string fault_of(const Form& form, const std::string& json) {
   const DocumentPath top;
   try {
@@ -22,30 +20,30 @@ std::string fault_of(const Form& form, const std::string& json) {
 }
 
 TEST(CheckForm, NamesWhatIsExpected) {
-  EXPECT_EQ(fault_of(flag(), "1"), "'part' is not true or false");
-  EXPECT_EQ(fault_of(text(), "1"), "'part' is not a text");
-  EXPECT_EQ(fault_of(text(), "null"), "'part' is not a text");
-  EXPECT_EQ(fault_of(or_null(text()), "null"), "");
-  EXPECT_EQ(fault_of(number({0, 2, Unit::metre}), "2.5"), "'part' is not a number from 0 to 2 (m)");
-  EXPECT_EQ(fault_of(number({0, 2, Unit::metre}), "2"), "");
-  EXPECT_EQ(fault_of(number({.min = 1}), "0"), "'part' is not a number from 1");
-  EXPECT_EQ(fault_of(number({.max = 1}), "2"), "'part' is not a number up to 1");
-  EXPECT_EQ(fault_of(whole({0, 9}), "2.5"), "'part' is not a whole number from 0 to 9");
-  EXPECT_EQ(fault_of(any(), "null"), "");
-  EXPECT_EQ(fault_of(choice({"parent", "child"}), "\"chidl\""),
+  EXPECT_EQ(fault_of(forms::flag(), "1"), "'part' is not true or false");
+  EXPECT_EQ(fault_of(forms::text(), "1"), "'part' is not a text");
+  EXPECT_EQ(fault_of(forms::text(), "null"), "'part' is not a text");
+  EXPECT_EQ(fault_of(forms::or_null(forms::text()), "null"), "");
+  EXPECT_EQ(fault_of(forms::number({0, 2, Unit::metre}), "2.5"), "'part' is not a number from 0 to 2 (m)");
+  EXPECT_EQ(fault_of(forms::number({0, 2, Unit::metre}), "2"), "");
+  EXPECT_EQ(fault_of(forms::number({.min = 1}), "0"), "'part' is not a number from 1");
+  EXPECT_EQ(fault_of(forms::number({.max = 1}), "2"), "'part' is not a number up to 1");
+  EXPECT_EQ(fault_of(forms::whole({0, 9}), "2.5"), "'part' is not a whole number from 0 to 9");
+  EXPECT_EQ(fault_of(forms::any(), "null"), "");
+  EXPECT_EQ(fault_of(forms::choice({"parent", "child"}), "\"chidl\""),
             "'part' is none of parent, child; did you mean 'child'?");
-  EXPECT_EQ(fault_of(choice({"parent", "child"}), "3"), "'part' is none of parent, child");
+  EXPECT_EQ(fault_of(forms::choice({"parent", "child"}), "3"), "'part' is none of parent, child");
 }
 
 TEST(CheckForm, NamesThePlaceInListsAndMaps) {
-  EXPECT_EQ(fault_of(list(text()), "{}"), "'part' is not a list");
-  EXPECT_EQ(fault_of(list(text()), R"(["a", 1])"), "'part[1]' is not a text");
-  EXPECT_EQ(fault_of(list(text(), 2), R"(["a", "b", "c"])"), "'part' has more than 2 parts");
-  EXPECT_EQ(fault_of(list(text(), 2, 1), "[]"), "'part' has fewer than 1 parts");
-  EXPECT_EQ(fault_of(vector(), "[1, 2]"), "'part' is not a list [x, y, z]");
-  EXPECT_EQ(fault_of(vector(), "[1, 2, true]"), "'part[2]' is not a number");
-  EXPECT_EQ(fault_of(map(number()), R"({"a": 1, "b.c": "2"})"), "'part.b.c' is not a number");
-  EXPECT_EQ(fault_of(map(number(), 1), R"({"a": 1, "b": 2})"), "'part' has more than 1 parts");
+  EXPECT_EQ(fault_of(forms::list(forms::text()), "{}"), "'part' is not a list");
+  EXPECT_EQ(fault_of(forms::list(forms::text()), R"(["a", 1])"), "'part[1]' is not a text");
+  EXPECT_EQ(fault_of(forms::list(forms::text(), 2), R"(["a", "b", "c"])"), "'part' has more than 2 parts");
+  EXPECT_EQ(fault_of(forms::list(forms::text(), 2, 1), "[]"), "'part' has fewer than 1 parts");
+  EXPECT_EQ(fault_of(forms::vector(), "[1, 2]"), "'part' is not a list [x, y, z]");
+  EXPECT_EQ(fault_of(forms::vector(), "[1, 2, true]"), "'part[2]' is not a number");
+  EXPECT_EQ(fault_of(forms::map(forms::number()), R"({"a": 1, "b.c": "2"})"), "'part.b.c' is not a number");
+  EXPECT_EQ(fault_of(forms::map(forms::number(), 1), R"({"a": 1, "b": 2})"), "'part' has more than 1 parts");
 }
 
 struct Point {
@@ -64,7 +62,7 @@ const Record& point_record() {
                                    .text("name", &Point::name, "Name.")
                                    .flag("large", &Point::is_large, "Size.")
                                    .or_default()
-                                   .several("numbers", list(number()), &Point::numbers, "Numbers.")
+                                   .several("numbers", forms::list(forms::number()), &Point::numbers, "Numbers.")
                                    .optional()
                                    .rule([](const Point& point, const Value&) -> std::string {
                                      return point.is_large && !point.name ? "needs a 'name'" : "";
@@ -115,7 +113,7 @@ TEST(RecordTable, RefusesWhatIsNotDescribed) {
 }
 
 TEST(RecordTable, ReadsObjectsOfSeveralKinds) {
-  const Form form = kinds({point_record, circle_record});
+  const Form form = forms::kinds({point_record, circle_record});
   EXPECT_EQ(fault_of(form, R"({"radius": 2})"), "");
   EXPECT_EQ(fault_of(form, R"({"radius": 2, "at": null})"),
             "'part' has an unknown member 'at'; the members are radius");

@@ -6,15 +6,16 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr const char* kBaseDoc = "Hash of the text before the change.";
 constexpr const char* kHashDoc = "Hash of the new text.";
 constexpr Span kIndex{.min = 0, .max = kMaxWhole};
 
-Form patch() { return list(tuple({{"offset", whole()}, {"length", whole()}, {"replacement", text()}})); }
+Form patch() {
+  return forms::list(
+      forms::tuple({{"offset", forms::whole()}, {"length", forms::whole()}, {"replacement", forms::text()}}));
+}
 
 const Record& open_members() {
   static const Record record =
@@ -34,12 +35,12 @@ const Record& open_members() {
 const Record& open_answer() {
   static const Record record =
       WrittenRecord("OpenAnswer", "An opened document.")
-          .member("path", or_null(text()), "Path below the root. Null: a model or a new text.")
-          .member("model", or_null(text()), "Name of the shipped model. Null: a file or a new text.")
-          .member("name", text(), "Name for a title: the name of the file or the model.")
-          .member("text", text(), "Text of the document.")
-          .member("hash", text(), "Hash of the text.")
-          .member("saved", or_null(text()), "Hash of the file on the disk. Null: no file.")
+          .member("path", forms::or_null(forms::text()), "Path below the root. Null: a model or a new text.")
+          .member("model", forms::or_null(forms::text()), "Name of the shipped model. Null: a file or a new text.")
+          .member("name", forms::text(), "Name for a title: the name of the file or the model.")
+          .member("text", forms::text(), "Text of the document.")
+          .member("hash", forms::text(), "Hash of the text.")
+          .member("saved", forms::or_null(forms::text()), "Hash of the file on the disk. Null: no file.")
           .with(reading_record);
   return record;
 }
@@ -69,7 +70,7 @@ const Record& text_members() {
 
 const Record& text_answer() {
   static const Record record =
-      WrittenRecord("TextAnswer", "A changed text.").member("hash", text(), kHashDoc).with(reading_record);
+      WrittenRecord("TextAnswer", "A changed text.").member("hash", forms::text(), kHashDoc).with(reading_record);
   return record;
 }
 
@@ -127,7 +128,8 @@ const Record& paste_edit() {
   static const Record record =
       RecordTable<InsertPart>("PasteEdit", "Inserts a part of a document.")
           .text("paste", &InsertPart::text, "The part, as `part` answers it.")
-          .several("names", map(text()), &InsertPart::names, "New names of components, by their names in the part.")
+          .several("names", forms::map(forms::text()), &InsertPart::names,
+                   "New names of components, by their names in the part.")
           .optional()
           .whole("index", &InsertPart::index, kIndex, "Index of its first component. Missing: behind the last.")
           .whole("link_index", &InsertPart::link_index, kIndex, "Index of its first link. Missing: behind the last.");
@@ -135,7 +137,7 @@ const Record& paste_edit() {
 }
 
 Form edit_form() {
-  return kinds({set_edit, unset_edit, insert_edit, remove_edit, rename_edit, move_edit, note_edit, paste_edit});
+  return forms::kinds({set_edit, unset_edit, insert_edit, remove_edit, rename_edit, move_edit, note_edit, paste_edit});
 }
 
 const Record& edit_members() {
@@ -144,7 +146,7 @@ const Record& edit_members() {
                                "Changes values of the document in one step. Ends a drag and removes its values.")
           .text("base", &EditRequest::base, kBaseDoc)
           .read(
-              "edits", list(edit_form()),
+              "edits", forms::list(edit_form()),
               [](EditRequest& request, const Value& value, const DocumentPath& path) {
                 static const Form form = edit_form();
                 for (std::size_t k = 0; k < value.list()->size(); ++k)
@@ -161,7 +163,7 @@ const Record& edit_answer() {
   static const Record record = WrittenRecord("EditAnswer", "An edited text.")
                                    .member("patch", patch(), "The change of the text.")
                                    .member("inverse", patch(), "The patch that undoes the change.")
-                                   .member("hash", text(), kHashDoc)
+                                   .member("hash", forms::text(), kHashDoc)
                                    .with(reading_record);
   return record;
 }
@@ -172,7 +174,7 @@ const Record& drag_members() {
           "DragRequest",
           "Sets values for a while, as a slider does. The text does not change, and the latest drag counts.")
           .read(
-              "values", map(any()),
+              "values", forms::map(forms::any()),
               [](DragRequest& request, const Value& value, const DocumentPath&) {
                 request.values = overrides_of(*value.object());
               },
@@ -181,9 +183,10 @@ const Record& drag_members() {
 }
 
 const Record& drag_answer() {
-  static const Record record = WrittenRecord("DragAnswer", "The faults of dragged values.")
-                                   .member("faults", faults(), "Faults of these values.")
-                                   .optional("superseded", flag(), "True: a newer message made the reading useless.");
+  static const Record record =
+      WrittenRecord("DragAnswer", "The faults of dragged values.")
+          .member("faults", faults(), "Faults of these values.")
+          .optional("superseded", forms::flag(), "True: a newer message made the reading useless.");
   return record;
 }
 

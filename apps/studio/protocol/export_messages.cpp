@@ -7,8 +7,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr std::size_t kMaxStills = 16;
@@ -34,7 +32,7 @@ const Record& export_options() {
       RecordTable<ExportOptions>("ExportOptions", "Options of an export.")
           .whole("lod", &ExportOptions::lod, {0, kCoarsestDetail}, "Number of coarser levels that are written too.")
           .or_default()
-          .several("instances", choice({"automatic", "rows", "nodes"}), &ExportOptions::instances,
+          .several("instances", forms::choice({"automatic", "rows", "nodes"}), &ExportOptions::instances,
                    "How instances are stored. Only for formats that can store them.")
           .or_default("automatic")
           .whole("seed", &ExportOptions::seed, {0, kMaxWhole}, "Seed instead of the seed of the document.")
@@ -81,12 +79,12 @@ const Record& command_members() {
 }
 
 const Record& made_file() {
-  static const Record record =
-      WrittenRecord("MadeFile", "A file that can be downloaded.")
-          .member("name", text(), "Name of the file.")
-          .member("bytes", whole(), "Size of the file.")
-          .member("address", text(), "Address below the token: `downloads/3/oak.glb`.")
-          .member("holds", list(text()), "Names of the files in a zip archive. Empty: the file is no archive.");
+  static const Record record = WrittenRecord("MadeFile", "A file that can be downloaded.")
+                                   .member("name", forms::text(), "Name of the file.")
+                                   .member("bytes", forms::whole(), "Size of the file.")
+                                   .member("address", forms::text(), "Address below the token: `downloads/3/oak.glb`.")
+                                   .member("holds", forms::list(forms::text()),
+                                           "Names of the files in a zip archive. Empty: the file is no archive.");
   return record;
 }
 
@@ -99,7 +97,7 @@ const Record& export_answer() {
 
 const Record& command_answer() {
   static const Record record = WrittenRecord("CommandAnswer", "A command line.")
-                                   .member("command", text(), "The command that exports the same files.");
+                                   .member("command", forms::text(), "The command that exports the same files.");
   return record;
 }
 
@@ -109,7 +107,7 @@ const Record& stills_members() {
           "StillsRequest",
           "Makes small pictures of the document with other values. The document and the view do not change.")
           .read(
-              "states", list(map(any()), kMaxStills),
+              "states", forms::list(forms::map(forms::any()), kMaxStills),
               [](StillsRequest& request, const Value& value, const DocumentPath&) {
                 for (const Value& state : *value.list()) request.states.push_back(overrides_of(*state.object()));
               },
@@ -136,15 +134,16 @@ const Record& stills_members() {
 
 const Record& still_record() {
   static const Record record = WrittenRecord("Still", "A small picture of a state of the document.")
-                                   .optional("picture", text(), "A PNG in base 64 without a background.")
+                                   .optional("picture", forms::text(), "A PNG in base 64 without a background.")
                                    .optional("faults", faults(), "Faults of the state, which then has no picture.")
                                    .one_of({"picture", "faults"});
   return record;
 }
 
 const Record& stills_answer() {
-  static const Record record = WrittenRecord("StillsAnswer", "Small pictures.")
-                                   .member("stills", list(forms::record(still_record)), "A picture for each state.");
+  static const Record record =
+      WrittenRecord("StillsAnswer", "Small pictures.")
+          .member("stills", forms::list(forms::record(still_record)), "A picture for each state.");
   return record;
 }
 

@@ -6,8 +6,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 const Record& files_members() {
@@ -18,17 +16,17 @@ const Record& files_members() {
 
 const Record& listed_file() {
   static const Record record = WrittenRecord("ListedFile", "A file or folder in a list.")
-                                   .member("name", text(), "Name without its folder.")
-                                   .member("folder", flag(), "True: a folder.")
-                                   .member("bytes", whole(), "Size of a file.");
+                                   .member("name", forms::text(), "Name without its folder.")
+                                   .member("folder", forms::flag(), "True: a folder.")
+                                   .member("bytes", forms::whole(), "Size of a file.");
   return record;
 }
 
 const Record& files_answer() {
   static const Record record =
       WrittenRecord("FilesAnswer", "The content of a folder.")
-          .member("folder", text(), "Path below the root.")
-          .member("files", list(forms::record(listed_file), kMaxNumbers), "By name. Hidden files are left out.");
+          .member("folder", forms::text(), "Path below the root.")
+          .member("files", forms::list(forms::record(listed_file), kMaxNumbers), "By name. Hidden files are left out.");
   return record;
 }
 
@@ -48,16 +46,17 @@ const Record& save_members() {
 
 const Record& omitted_file() {
   static const Record record = WrittenRecord("OmittedFile", "A file that was not copied.")
-                                   .member("file", text(), "Path of the file in the document.")
-                                   .member("reason", text(), "Why it was not copied.");
+                                   .member("file", forms::text(), "Path of the file in the document.")
+                                   .member("reason", forms::text(), "Why it was not copied.");
   return record;
 }
 
 const Record& copied_files() {
   static const Record record =
       WrittenRecord("CopiedFiles", "The files that the document names by relative paths.")
-          .member("copied", list(text()), "Files that were missing beside the new path, and were copied to there.")
-          .member("omitted", list(forms::record(omitted_file)),
+          .member("copied", forms::list(forms::text()),
+                  "Files that were missing beside the new path, and were copied to there.")
+          .member("omitted", forms::list(forms::record(omitted_file)),
                   "Files that were not copied. A file with another content is never replaced.");
   return record;
 }
@@ -66,9 +65,9 @@ const Record& save_answer() {
   static const Record record = WrittenRecord("SaveAnswer",
                                              "A saved document. If the path has changed, the files that the document "
                                              "names are searched beside it, and the text is read again.")
-                                   .member("path", text(), "Path below the root.")
-                                   .member("name", text(), "Name for a title.")
-                                   .member("saved", text(), "Hash of the file on the disk.")
+                                   .member("path", forms::text(), "Path below the root.")
+                                   .member("name", forms::text(), "Name for a title.")
+                                   .member("saved", forms::text(), "Hash of the file on the disk.")
                                    .or_without(copied_files)
                                    .or_without(reading_record);
   return record;
@@ -81,16 +80,16 @@ const Record& models_members() {
 
 const Record& shipped_model() {
   static const Record record = WrittenRecord("ShippedModel", "A shipped model.")
-                                   .member("name", text(), "Name in requests.")
-                                   .member("title", text(), "Name for users.")
-                                   .member("description", text(), "Description.")
-                                   .member("picture", flag(), "True: `pictures/NAME.jpg` exists.");
+                                   .member("name", forms::text(), "Name in requests.")
+                                   .member("title", forms::text(), "Name for users.")
+                                   .member("description", forms::text(), "Description.")
+                                   .member("picture", forms::flag(), "True: `pictures/NAME.jpg` exists.");
   return record;
 }
 
 const Record& models_answer() {
   static const Record record = WrittenRecord("ModelsAnswer", "The shipped models.")
-                                   .member("models", list(forms::record(shipped_model)), "By name.");
+                                   .member("models", forms::list(forms::record(shipped_model)), "By name.");
   return record;
 }
 
@@ -101,9 +100,10 @@ const Record& parts_members() {
 }
 
 const Record& parts_answer() {
-  static const Record record = WrittenRecord("PartsAnswer", "The components of a model.")
-                                   .member("tree", any(), "The document as plain JSON.")
-                                   .member("implied", list(forms::record(implied_record)), "Links that are not in it.");
+  static const Record record =
+      WrittenRecord("PartsAnswer", "The components of a model.")
+          .member("tree", forms::any(), "The document as plain JSON.")
+          .member("implied", forms::list(forms::record(implied_record)), "Links that are not in it.");
   return record;
 }
 
@@ -112,7 +112,8 @@ const Record& part_members() {
       RecordTable<PartRequest>("PartRequest", "Cuts a part out of a model, of a text, or of the document.")
           .text("model", &PartRequest::model, "Name of a shipped model.")
           .text("text", &PartRequest::text, "Text of a document.")
-          .several("components", list(text()), &PartRequest::components, "Ids of components. Missing: all but cameras.")
+          .several("components", forms::list(forms::text()), &PartRequest::components,
+                   "Ids of components. Missing: all but cameras.")
           .optional()
           .rule([](const PartRequest& request, const Value&) -> std::string {
             return request.model && request.text ? "has both a 'model' and a 'text'" : "";
@@ -123,11 +124,11 @@ const Record& part_members() {
 const Record& part_answer() {
   static const Record record =
       WrittenRecord("PartAnswer", "A part of a document.")
-          .member("text", text(),
+          .member("text", forms::text(),
                   "A document with these components, the links among them and the variables that they name, as they "
                   "are written.")
-          .member("components", list(text()), "Ids of its components.")
-          .member("roots", list(text()), "Components to which no other component of the part links.");
+          .member("components", forms::list(forms::text()), "Ids of its components.")
+          .member("roots", forms::list(forms::text()), "Components to which no other component of the part links.");
   return record;
 }
 
@@ -142,9 +143,9 @@ const Record& picture_members() {
 
 const Record& picture_answer() {
   static const Record thumbnail = WrittenRecord("Thumbnail", "A small picture.")
-                                      .member("picture", text(), "A PNG in base 64.")
-                                      .member("width", whole(), "Width of the whole picture, pixels.")
-                                      .member("height", whole(), "Height of the whole picture, pixels.");
+                                      .member("picture", forms::text(), "A PNG in base 64.")
+                                      .member("width", forms::whole(), "Width of the whole picture, pixels.")
+                                      .member("height", forms::whole(), "Height of the whole picture, pixels.");
   static const Record record =
       WrittenRecord("PictureAnswer", "A small version of a picture.")
           .member("thumbnail", forms::record([]() -> const Record& { return thumbnail; }), "The small picture.");
@@ -154,8 +155,8 @@ const Record& picture_answer() {
 const Record& elsewhere_record() {
   static const Record record =
       WrittenRecord("Elsewhere", "The number of other pages that have the file open. It comes when the number changes.")
-          .member("path", text(), "Path of the file.")
-          .member("count", whole(), "Number of other pages, also of other programs of the same user.");
+          .member("path", forms::text(), "Path of the file.")
+          .member("count", forms::whole(), "Number of other pages, also of other programs of the same user.");
   return record;
 }
 

@@ -37,11 +37,11 @@ Form list(Form element, std::size_t max_size, std::size_t min_size) {
   return {.kind = Form::Kind::list, .min_size = min_size, .max_size = max_size, .parts = {std::move(element)}};
 }
 
-Form tuple(std::vector<std::pair<std::string, Form>> parts) {
+Form tuple(const std::vector<std::pair<std::string, Form>>& parts) {
   Form form{.kind = Form::Kind::tuple};
-  for (auto& [name, part] : parts) {
-    form.names.push_back(std::move(name));
-    form.parts.push_back(std::move(part));
+  for (const auto& [name, part] : parts) {
+    form.names.push_back(name);
+    form.parts.push_back(part);
   }
   return form;
 }

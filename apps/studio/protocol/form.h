@@ -103,7 +103,7 @@ Form text();
 Form choice(std::vector<std::string> names);
 Form list(Form element, std::size_t max_size = kMaxParts, std::size_t min_size = 0);
 /// Returns the form of a list with named elements: `tuple({{"at", whole()}, {"text", text()}})`.
-Form tuple(std::vector<std::pair<std::string, Form>> parts);
+Form tuple(const std::vector<std::pair<std::string, Form>>& parts);
 Form map(Form value, std::size_t max_size = kMaxParts);
 Form record(RecordFunction record);
 Form kinds(std::vector<RecordFunction> records);

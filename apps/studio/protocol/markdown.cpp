@@ -156,9 +156,10 @@ std::string group_text(const GroupRecords& own) {
 std::string protocol_reference() {
   std::string text = "\n## Requests of the page\n\n| `do` | answered | what |\n| --- | --- | --- |\n";
   for (const ProtocolGroup& group : protocol()) {
-    for (const RequestType& request : group.requests)
+    for (const RequestType& request : group.requests) {
       text += fmt::format("| `{}` | {} | {} |\n", request.name, time_text(request.time),
                           markdown_cell(request.members().doc));
+    }
   }
   text += "\n## Messages of the server\n\n| `is` | what |\n| --- | --- |\n";
   text += "| `done` | The answer to the request `re`, with the members that the request states below. |\n";

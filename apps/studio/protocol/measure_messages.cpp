@@ -6,8 +6,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr std::size_t kMaxSwept = 64;  // values of one sweep
@@ -26,7 +24,7 @@ const Record& measures_members() {
 const Record& measures_answer() {
   static const Record record =
       WrittenRecord("MeasuresAnswer", "Measures of the document.")
-          .member("measures", map(any()), "Measures by name, as `meristem measure --json` prints them.");
+          .member("measures", forms::map(forms::any()), "Measures by name, as `meristem measure --json` prints them.");
   return record;
 }
 
@@ -37,15 +35,15 @@ const Record& measure_rows_members() {
 
 const Record& measure_row() {
   static const Record record = WrittenRecord("MeasureRow", "A measure.")
-                                   .member("name", text(), "Name in `measures`.")
-                                   .member("unit", text(), "Unit, or an empty text.")
-                                   .member("doc", text(), "Description.");
+                                   .member("name", forms::text(), "Name in `measures`.")
+                                   .member("unit", forms::text(), "Unit, or an empty text.")
+                                   .member("doc", forms::text(), "Description.");
   return record;
 }
 
 const Record& measure_rows_answer() {
   static const Record record = WrittenRecord("MeasureRowsAnswer", "All measures.")
-                                   .member("rows", list(forms::record(measure_row)), "In their order.");
+                                   .member("rows", forms::list(forms::record(measure_row)), "In their order.");
   return record;
 }
 
@@ -54,7 +52,7 @@ const Record& sweep_members() {
       RecordTable<SweepRequest>("SweepRequest",
                                 "Measures the document with each of several values. Each value has `job_seconds`.")
           .text("path", &SweepRequest::path, "Path of a variable or a number.")
-          .several("values", list(number(), kMaxSwept, 1), &SweepRequest::values, "The values.")
+          .several("values", forms::list(forms::number(), kMaxSwept, 1), &SweepRequest::values, "The values.")
           .flag("light", &SweepRequest::light, "True: also measures the light on organs.")
           .or_default();
   return record;
@@ -62,16 +60,17 @@ const Record& sweep_members() {
 
 const Record& sweep_point() {
   static const Record record = WrittenRecord("SweepPoint", "The document with one of the values.")
-                                   .member("value", number(), "The value.")
-                                   .optional("measures", map(any()), "Measures by name.")
+                                   .member("value", forms::number(), "The value.")
+                                   .optional("measures", forms::map(forms::any()), "Measures by name.")
                                    .optional("faults", faults(), "Faults with this value, instead of measures.")
                                    .one_of({"measures", "faults"});
   return record;
 }
 
 const Record& sweep_answer() {
-  static const Record record = WrittenRecord("SweepAnswer", "Measures for each value.")
-                                   .member("sweep", list(forms::record(sweep_point)), "In the order of the values.");
+  static const Record record =
+      WrittenRecord("SweepAnswer", "Measures for each value.")
+          .member("sweep", forms::list(forms::record(sweep_point)), "In the order of the values.");
   return record;
 }
 

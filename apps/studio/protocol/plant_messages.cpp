@@ -10,8 +10,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr std::size_t kMaxExpressions = 1000;
@@ -38,7 +36,8 @@ const Record& grammar_members() {
           .text("component", &GrammarRequest::component, kComponentDoc)
           .whole("step", &GrammarRequest::step, {0, kMostSteps},
                  "Steps of the derivation. Null: the steps of the component.")
-          .read("instance", text(), read_key, "Key of an instance. Missing, or without an instance: by `number`.")
+          .read("instance", forms::text(), read_key,
+                "Key of an instance. Missing, or without an instance: by `number`.")
           .optional()
           .whole("number", &GrammarRequest::number, {0, kMaxWhole}, "Number of the instance.")
           .or_default()
@@ -53,27 +52,28 @@ const Record& grammar_members() {
 
 const Record& derived_instance() {
   static const Record record = WrittenRecord("DerivedInstance", "The instance whose grammar was derived.")
-                                   .member("number", whole(), "Number among the instances of the component.")
-                                   .member("of", whole(), "Number of instances of the component.")
-                                   .member("key", text(), "Key of the instance.");
+                                   .member("number", forms::whole(), "Number among the instances of the component.")
+                                   .member("of", forms::whole(), "Number of instances of the component.")
+                                   .member("key", forms::text(), "Key of the instance.");
   return record;
 }
 
 const Record& derivation_record() {
   static const Record record =
       WrittenRecord("Derivation", "The derivation of a grammar.")
-          .member("text", or_null(text()),
+          .member("text", forms::or_null(forms::text()),
                   "Text of the grammar. Null: the component has no instance or no grammar, and the other members are "
                   "missing.")
           .member("instance", forms::record(derived_instance), "The instance whose grammar was derived.")
-          .member("steps", whole(), "Number of steps of the component.")
-          .member("step", whole(), "Number of steps of this word.")
-          .member("interpreted", flag(), "True: the grammar has rules of interpretation.")
-          .member("count", whole(), "Number of modules of the word.")
-          .member("counts", list(tuple({{"symbol", text()}, {"count", whole()}})), "Number of modules by symbol.")
-          .member("first", whole(), "Index of the first module of the answer.")
-          .member("modules", list(text()), "Texts of the modules.")
-          .member("places", list(number(), kMaxNumbers),
+          .member("steps", forms::whole(), "Number of steps of the component.")
+          .member("step", forms::whole(), "Number of steps of this word.")
+          .member("interpreted", forms::flag(), "True: the grammar has rules of interpretation.")
+          .member("count", forms::whole(), "Number of modules of the word.")
+          .member("counts", forms::list(forms::tuple({{"symbol", forms::text()}, {"count", forms::whole()}})),
+                  "Number of modules by symbol.")
+          .member("first", forms::whole(), "Index of the first module of the answer.")
+          .member("modules", forms::list(forms::text()), "Texts of the modules.")
+          .member("places", forms::list(forms::number(), kMaxNumbers),
                   "Seven numbers for each drawn module of the answer: its index, its beginning and its end. Empty if "
                   "this word is not drawn.")
           .alone("text", Value());
@@ -91,46 +91,47 @@ const Record& overlays_members() {
       RecordTable<OverlaysRequest>(
           "OverlaysRequest",
           "Requests overlays on the last grown plant. Overlays with `recorded` need recorded growth.")
-          .several("parts", list(text()), &OverlaysRequest::parts, "Names of `overlays` of `hello`.");
+          .several("parts", forms::list(forms::text()), &OverlaysRequest::parts, "Names of `overlays` of `hello`.");
   return record;
 }
 
 const Record& coloured_points() {
   static const Record record = WrittenRecord("ColouredPoints", "Points with colours.")
-                                   .member("positions", array(), "Three f32 for each point.")
-                                   .member("colours", array(), "Four u8 for each point: sRGB and opacity.");
+                                   .member("positions", forms::array(), "Three f32 for each point.")
+                                   .member("colours", forms::array(), "Four u8 for each point: sRGB and opacity.");
   return record;
 }
 
 const Record& overlay_label() {
   static const Record record = WrittenRecord("OverlayLabel", "A text at a point.")
-                                   .member("at", vector({.unit = Unit::metre}), "Position.")
-                                   .member("text", text(), "The text.");
+                                   .member("at", forms::vector({.unit = Unit::metre}), "Position.")
+                                   .member("text", forms::text(), "The text.");
   return record;
 }
 
 const Record& overlay_key() {
   static const Record record = WrittenRecord("OverlayKey", "The meaning of a colour.")
-                                   .member("colour", vector({.min = 0, .max = 1}), "sRGB.")
-                                   .member("text", text(), "The meaning.");
+                                   .member("colour", forms::vector({.min = 0, .max = 1}), "sRGB.")
+                                   .member("text", forms::text(), "The meaning.");
   return record;
 }
 
 const Record& overlay_layer() {
-  static const Record record = WrittenRecord("PackedLayer", "One overlay.")
-                                   .member("part", text(), "Name of the overlay.")
-                                   .member("points", forms::record(coloured_points), "Single points.")
-                                   .member("lines", forms::record(coloured_points), "Two points for each line.")
-                                   .member("arrows", forms::record(coloured_points), "Two points for each arrow.")
-                                   .member("labels", list(forms::record(overlay_label)), "Texts in space.")
-                                   .member("legend", list(forms::record(overlay_key)), "Meanings of the colours.");
+  static const Record record =
+      WrittenRecord("PackedLayer", "One overlay.")
+          .member("part", forms::text(), "Name of the overlay.")
+          .member("points", forms::record(coloured_points), "Single points.")
+          .member("lines", forms::record(coloured_points), "Two points for each line.")
+          .member("arrows", forms::record(coloured_points), "Two points for each arrow.")
+          .member("labels", forms::list(forms::record(overlay_label)), "Texts in space.")
+          .member("legend", forms::list(forms::record(overlay_key)), "Meanings of the colours.");
   return record;
 }
 
 const Record& overlays_record() {
   static const Record record = WrittenRecord("OverlayLayers", "Overlays on the last grown plant.")
-                                   .member("step", whole(), "Growth step of the layers.")
-                                   .member("layers", list(forms::record(overlay_layer)), "The overlays.");
+                                   .member("step", forms::whole(), "Growth step of the layers.")
+                                   .member("layers", forms::list(forms::record(overlay_layer)), "The overlays.");
   return record;
 }
 
@@ -150,7 +151,7 @@ const Record& stand_members() {
 const Record& stand_answer() {
   static const Record record =
       WrittenRecord("StandAnswer", "The place of a component.")
-          .member("stand", or_null(list(number(), 12, 12)),
+          .member("stand", forms::or_null(forms::list(forms::number(), 12, 12)),
                   "Frame of the site of the first instance, before the `frame` of the component: three rows of a 3x4 "
                   "matrix. Null: the component has no instance.");
   return record;
@@ -162,7 +163,7 @@ const Record& worked_out_members() {
           .text("component", &WorkedOutRequest::component,
                 "Component whose first instance gives the values that differ among instances. Missing: only the "
                 "variables.")
-          .several("expressions", map(text(), kMaxExpressions), &WorkedOutRequest::expressions,
+          .several("expressions", forms::map(forms::text(), kMaxExpressions), &WorkedOutRequest::expressions,
                    "Expressions by their full paths in the document.");
   return record;
 }
@@ -170,7 +171,7 @@ const Record& worked_out_members() {
 const Record& worked_out_answer() {
   static const Record record =
       WrittenRecord("WorkedOutAnswer", "Values of expressions.")
-          .member("numbers", map(number()), "Values by the same paths. Unknown values are missing.");
+          .member("numbers", forms::map(forms::number()), "Values by the same paths. Unknown values are missing.");
   return record;
 }
 
@@ -184,35 +185,36 @@ const Record& curves_members() {
 }
 
 const Record& leaf_name() {
-  static const Record record = WrittenRecord("LeafName", "A leaf of the source of a grass leaf.")
-                                   .member("rank", or_null(whole(kLeafNumber)), "Rank. Null: the source has no ranks.")
-                                   .member("leaf", or_null(whole(kLeafNumber)), "Number within the rank.");
+  static const Record record =
+      WrittenRecord("LeafName", "A leaf of the source of a grass leaf.")
+          .member("rank", forms::or_null(forms::whole(kLeafNumber)), "Rank. Null: the source has no ranks.")
+          .member("leaf", forms::or_null(forms::whole(kLeafNumber)), "Number within the rank.");
   return record;
 }
 
 const Record& curves_record() {
-  const Form points = list(tuple({{"x", number()}, {"y", number()}}), kMaxNumbers);
+  const Form points = forms::list(forms::tuple({{"x", forms::number()}, {"y", forms::number()}}), kMaxNumbers);
   static const Record record =
       WrittenRecord("LeafCurves", "The curves from which a grass leaf is drawn.")
-          .member("leaves", list(forms::record(leaf_name), kMaxNumbers), "Leaves of the source.")
+          .member("leaves", forms::list(forms::record(leaf_name), kMaxNumbers), "Leaves of the source.")
           .member("leaf", forms::record(leaf_name), "The leaf of these curves.")
           .member("midrib_points", points,
                   "Measured points: away from the stem and up along it, in the unit of the source.")
           .member("midrib", points, "Fitted midrib.")
-          .member("distance", number(), "Distance of the points from the fitted midrib.")
+          .member("distance", forms::number(), "Distance of the points from the fitted midrib.")
           .member("width_points", points, "Measured widths: share of the length, and share of the largest width.")
           .member("widths", points, "Fitted widths.")
-          .member("midrib_file", flag(), "True: the midrib comes from a file.")
-          .member("width_file", flag(), "True: the widths come from a file.")
-          .member("length", number({.unit = Unit::metre}), "Measured length. 0: no file gives it.")
-          .member("width", number({.unit = Unit::metre}), "Measured width. 0: no file gives it.");
+          .member("midrib_file", forms::flag(), "True: the midrib comes from a file.")
+          .member("width_file", forms::flag(), "True: the widths come from a file.")
+          .member("length", forms::number({.unit = Unit::metre}), "Measured length. 0: no file gives it.")
+          .member("width", forms::number({.unit = Unit::metre}), "Measured width. 0: no file gives it.");
   return record;
 }
 
 const Record& curves_answer() {
-  static const Record record =
-      WrittenRecord("CurvesAnswer", "The curves of a grass leaf.")
-          .member("curves", or_null(forms::record(curves_record)), "The curves. Null: the component is no grass leaf.");
+  static const Record record = WrittenRecord("CurvesAnswer", "The curves of a grass leaf.")
+                                   .member("curves", forms::or_null(forms::record(curves_record)),
+                                           "The curves. Null: the component is no grass leaf.");
   return record;
 }
 
@@ -226,16 +228,16 @@ const Record& cloud_record() {
   static const Record record =
       WrittenRecord("CrownCloud", "The attraction points with which the first instance begins.")
           .member(
-              "positions", array(),
+              "positions", forms::array(),
               "Three f32 for each point, relative to the root. More than 4,000 points are reduced to an even choice.")
-          .member("count", whole(), "Number of all points.");
+          .member("count", forms::whole(), "Number of all points.");
   return record;
 }
 
 const Record& cloud_answer() {
   static const Record record =
       WrittenRecord("CloudAnswer", "The attraction points of a crown. The answer is a packet with their array.")
-          .member("cloud", or_null(forms::record(cloud_record)),
+          .member("cloud", forms::or_null(forms::record(cloud_record)),
                   "The points. Null: the component fills no crown with points.");
   return record;
 }
@@ -251,9 +253,9 @@ const Record& clocks_members() {
 const Record& begun_clocks() {
   static const Record record =
       WrittenRecord("BegunClocks", "The clocks that instances of a component have begun, each once.")
-          .member("component", text(), "Id of the component, a `sequence`.")
-          .member("count", whole(), "Number of clocks.")
-          .member("blocks", list(tuple({{"start", number()}, {"speed", number()}})),
+          .member("component", forms::text(), "Id of the component, a `sequence`.")
+          .member("count", forms::whole(), "Number of clocks.")
+          .member("blocks", forms::list(forms::tuple({{"start", forms::number()}, {"speed", forms::number()}})),
                   "The time of the document at which each clock shows 0, and its seconds per second of the document. "
                   "More than 400 clocks are reduced to an even choice.");
   return record;
@@ -261,7 +263,7 @@ const Record& begun_clocks() {
 
 const Record& clocks_answer() {
   static const Record record = WrittenRecord("ClocksAnswer", "The clocks of the plant.")
-                                   .member("clocks", list(forms::record(begun_clocks)), "By component.");
+                                   .member("clocks", forms::list(forms::record(begun_clocks)), "By component.");
   return record;
 }
 

@@ -27,7 +27,7 @@ enum class AnswerTime {
 struct RequestType {
   std::string name;  ///< value of `do`
   AnswerTime time = AnswerTime::at_once;
-  RecordFunction members = nullptr;  ///< members besides `do` and `id`; its description is that of the request
+  RecordFunction members = nullptr;  ///< members besides `do` and `id`; its sentence describes the request
   RecordFunction answer = nullptr;   ///< members of the answer besides `is` and `re`
   /// Reads a valid request. Throws a Refusal for values that break rules beyond the forms.
   std::function<Request(const Value& message)> read{};

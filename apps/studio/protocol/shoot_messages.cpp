@@ -9,8 +9,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr double kMaxFrameNumber = 1e9;
@@ -30,7 +28,7 @@ const Record& instance_members() {
   static const Record record =
       RecordTable<InstanceRequest>("InstanceRequest", "Finds the instance that made a visible part.")
           .text("component", &InstanceRequest::component, "Id of the component.")
-          .read("frame", list(number({-kMaxFrameNumber, kMaxFrameNumber}), 12, 12), read_frame,
+          .read("frame", forms::list(forms::number({-kMaxFrameNumber, kMaxFrameNumber}), 12, 12), read_frame,
                 "Frame of the visible part, three rows of a 3x4 matrix. For stems: "
                 "`[1,0,0,0, 0,1,0,0, 0,0,1,0]`.")
           .vector("position", &InstanceRequest::position, {-kMaxPosition, kMaxPosition, Unit::metre},
@@ -40,7 +38,7 @@ const Record& instance_members() {
 
 const Record& instance_answer() {
   static const Record record = WrittenRecord("InstanceAnswer", "An instance.")
-                                   .member("instance", or_null(forms::record(instance_record)),
+                                   .member("instance", forms::or_null(forms::record(instance_record)),
                                            "The instance. Null: unknown, as in plants of other documents.");
   return record;
 }
@@ -82,36 +80,41 @@ const Record& operations_members() {
 }
 
 const Record& operation_place() {
-  static const Record record =
-      WrittenRecord("OperationPlace", "One act of an operation.")
-          .member("act", text(), "Kind of the act.")
-          .member("iteration", whole(), "Iteration after which it acted.")
-          .member("tree", whole(), "Number of the tree.")
-          .member("shoot", text(), "Label of the shoot.")
-          .member("metamer", whole(), "Metamer on the shoot.")
-          .member("position", vector({.unit = Unit::metre}), "Position in the world.")
-          .member("metamers", whole(), "Number of removed metamers.")
-          .member("course", list(vector({.unit = Unit::metre})), "Positions of the shoot in its present state.");
+  static const Record record = WrittenRecord("OperationPlace", "One act of an operation.")
+                                   .member("act", forms::text(), "Kind of the act.")
+                                   .member("iteration", forms::whole(), "Iteration after which it acted.")
+                                   .member("tree", forms::whole(), "Number of the tree.")
+                                   .member("shoot", forms::text(), "Label of the shoot.")
+                                   .member("metamer", forms::whole(), "Metamer on the shoot.")
+                                   .member("position", forms::vector({.unit = Unit::metre}), "Position in the world.")
+                                   .member("metamers", forms::whole(), "Number of removed metamers.")
+                                   .member("course", forms::list(forms::vector({.unit = Unit::metre})),
+                                           "Positions of the shoot in its present state.");
   return record;
 }
 
 const Record& operation_effects() {
   static const Record record =
       WrittenRecord("OperationEffects", "The effects of operations on the trees that have grown last.")
-          .member("iteration", or_null(whole()),
+          .member("iteration", forms::or_null(forms::whole()),
                   "Iteration after which further operations would act. Null: the component has no operations.")
-          .member("training", or_null(list(any())),
+          .member("training", forms::or_null(forms::list(forms::any())),
                   "Operations of a training, whose paths end in `.training.operations[K]`. Null: no training.")
-          .member("acts", list(tuple({{"path", text()}, {"iteration", whole()}, {"act", text()}, {"count", whole()}})),
+          .member("acts",
+                  forms::list(forms::tuple({{"path", forms::text()},
+                                            {"iteration", forms::whole()},
+                                            {"act", forms::text()},
+                                            {"count", forms::whole()}})),
                   "Number of acts of each operation, after each iteration.")
-          .member("places", list(forms::record(operation_place)), "Acts of the requested operation, at most 2,000.")
-          .member("left", whole(), "Number of acts that are left out.");
+          .member("places", forms::list(forms::record(operation_place)),
+                  "Acts of the requested operation, at most 2,000.")
+          .member("left", forms::whole(), "Number of acts that are left out.");
   return record;
 }
 
 const Record& operations_answer() {
   static const Record record = WrittenRecord("OperationsAnswer", "The effects of operations.")
-                                   .member("operations", or_null(forms::record(operation_effects)),
+                                   .member("operations", forms::or_null(forms::record(operation_effects)),
                                            "The effects. Null: there is no such component.");
   return record;
 }

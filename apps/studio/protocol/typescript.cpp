@@ -187,6 +187,7 @@ PageSource tables_file(const std::vector<GroupRecords>& groups) {
 std::vector<PageSource> typescript_files() {
   const std::vector<GroupRecords> groups = records_by_group();
   std::vector<PageSource> files;
+  files.reserve(groups.size() + 1);
   for (const GroupRecords& group : groups) files.push_back(subject_file(group, groups));
   files.push_back(tables_file(groups));
   return files;

@@ -6,8 +6,6 @@
 
 namespace meristem::studio {
 
-using namespace forms;
-
 namespace {
 
 constexpr Span kTriangles{.min = 100, .max = 1e9};
@@ -78,45 +76,46 @@ const Record& continue_members() {
 
 const Record& format_record() {
   static const Record record = WrittenRecord("Format", "A format of exported files.")
-                                   .member("ending", text(), "Ending of its files, with the dot.")
-                                   .member("doc", text(), "Description.")
-                                   .member("levels", flag(), "True: it can have levels of detail.")
-                                   .member("instances", flag(), "True: it can store instances.");
+                                   .member("ending", forms::text(), "Ending of its files, with the dot.")
+                                   .member("doc", forms::text(), "Description.")
+                                   .member("levels", forms::flag(), "True: it can have levels of detail.")
+                                   .member("instances", forms::flag(), "True: it can store instances.");
   return record;
 }
 
 const Record& overlay_part_record() {
   static const Record record = WrittenRecord("OverlayPart", "An overlay that can be shown over the plant.")
-                                   .member("name", text(), "Name in the request `overlays`.")
-                                   .member("title", text(), "Name for users.")
-                                   .member("doc", text(), "Description.")
-                                   .member("recorded", flag(), "True: it needs recorded growth.");
+                                   .member("name", forms::text(), "Name in the request `overlays`.")
+                                   .member("title", forms::text(), "Name for users.")
+                                   .member("doc", forms::text(), "Description.")
+                                   .member("recorded", forms::flag(), "True: it needs recorded growth.");
   return record;
 }
 
 const Record& limits_record() {
   static const Record record =
       WrittenRecord("StudioLimits", "The limits of the server.")
-          .member("message_bytes", whole(), "Maximum size of one message of the page.")
-          .member("messages_per_second", whole(), "Maximum number of messages within one second.")
-          .member("job_seconds", number({.unit = Unit::second}), "Time for one growth, export or measurement.")
-          .member("film_seconds", number({.unit = Unit::second}), "Time for one film.")
-          .member("memory_bytes", whole(), "Memory of the whole program while a job runs.")
-          .member("connections", whole(), "Maximum number of pages.");
+          .member("message_bytes", forms::whole(), "Maximum size of one message of the page.")
+          .member("messages_per_second", forms::whole(), "Maximum number of messages within one second.")
+          .member("job_seconds", forms::number({.unit = Unit::second}), "Time for one growth, export or measurement.")
+          .member("film_seconds", forms::number({.unit = Unit::second}), "Time for one film.")
+          .member("memory_bytes", forms::whole(), "Memory of the whole program while a job runs.")
+          .member("connections", forms::whole(), "Maximum number of pages.");
   return record;
 }
 
 const Record& hello_record() {
   static const Record record =
       WrittenRecord("Hello", "The first message of a connection.")
-          .member("protocol", whole(), "Version of the protocol: 1.")
-          .member("version", text(), "Version of the program.")
-          .member("root", text(), "Name of the folder whose documents can be opened.")
-          .member("root_key", text(), "Identifies the folder among folders of its name.")
-          .member("document", or_null(text()), "Path of the document to open first. Null: none.")
-          .member("model", or_null(text()), "Name of the model to open first. Null: none.")
-          .member("formats", list(forms::record(format_record)), "Formats of exported files.")
-          .member("overlays", list(forms::record(overlay_part_record)), "Overlays that can be shown over the plant.")
+          .member("protocol", forms::whole(), "Version of the protocol: 1.")
+          .member("version", forms::text(), "Version of the program.")
+          .member("root", forms::text(), "Name of the folder whose documents can be opened.")
+          .member("root_key", forms::text(), "Identifies the folder among folders of its name.")
+          .member("document", forms::or_null(forms::text()), "Path of the document to open first. Null: none.")
+          .member("model", forms::or_null(forms::text()), "Name of the model to open first. Null: none.")
+          .member("formats", forms::list(forms::record(format_record)), "Formats of exported files.")
+          .member("overlays", forms::list(forms::record(overlay_part_record)),
+                  "Overlays that can be shown over the plant.")
           .member("limits", forms::record(limits_record), "Limits of the server.");
   return record;
 }
@@ -125,53 +124,55 @@ const Record& working_record() {
   static const Record record =
       WrittenRecord("Working", "Progress of a job, at most ten times a second.")
           .member("job", job_name(), "The job. `question` stands for requests about the last growth.")
-          .optional("re", whole(), "The `id` of the request. Missing: the growth.")
-          .member("stage", or_null(text()), "What the job does now. Null: the job is over.")
-          .member("share", number({.min = 0, .max = 1}), "Finished share of the stage.");
+          .optional("re", forms::whole(), "The `id` of the request. Missing: the growth.")
+          .member("stage", forms::or_null(forms::text()), "Present stage of the job. Null: the job is over.")
+          .member("share", forms::number({.min = 0, .max = 1}), "Finished share of the stage.");
   return record;
 }
 
 const Record& stage_record() {
   static const Record record = WrittenRecord("GrownStage", "A stage of the growth and its time.")
-                                   .member("name", text(), "Name of the stage.")
-                                   .member("ms", number(), "Time, milliseconds.");
+                                   .member("name", forms::text(), "Name of the stage.")
+                                   .member("ms", forms::number(), "Time, milliseconds.");
   return record;
 }
 
 const Record& reuse_record() {
-  static const Record record = WrittenRecord("GrownReuse", "The reuse of one kind of result.")
-                                   .member("what", text(), "Kind of result: instances, grown skeletons and so on.")
-                                   .member("made", whole(), "Number of new results.")
-                                   .member("reused", whole(), "Number of results from earlier growths.");
+  static const Record record =
+      WrittenRecord("GrownReuse", "The reuse of one kind of result.")
+          .member("what", forms::text(), "Kind of result: instances, grown skeletons and so on.")
+          .member("made", forms::whole(), "Number of new results.")
+          .member("reused", forms::whole(), "Number of results from earlier growths.");
   return record;
 }
 
 const Record& component_count_record() {
   static const Record record = WrittenRecord("ComponentCount", "The size of a component in the scene.")
-                                   .member("instances", whole(), "Number of instances.")
-                                   .member("triangles", whole(), "Number of triangles of all instances.");
+                                   .member("instances", forms::whole(), "Number of instances.")
+                                   .member("triangles", forms::whole(), "Number of triangles of all instances.");
   return record;
 }
 
 const Record& grown_record() {
   static const Record record =
       WrittenRecord("Grown", "A grown plant. It comes right before each packet.")
-          .member("hash", text(), "Hash of the text that has grown.")
-          .member("dragged", flag(), "True: with the values of a drag.")
-          .member("stages", list(forms::record(stage_record)), "Times of the stages. Reused stages are left out.")
-          .member("reuse", list(forms::record(reuse_record)),
+          .member("hash", forms::text(), "Hash of the text that has grown.")
+          .member("dragged", forms::flag(), "True: with the values of a drag.")
+          .member("stages", forms::list(forms::record(stage_record)),
+                  "Times of the stages. Reused stages are left out.")
+          .member("reuse", forms::list(forms::record(reuse_record)),
                   "How much was reused. Kinds that the plant does not need are left out.")
-          .member("nodes", whole(), "Number of nodes of all skeletons.")
-          .member("instances", whole(), "Number of instances.")
-          .member("triangles", or_null(whole()), "Number of triangles. Null: a coarser level is shown.")
-          .member("placed", or_null(map(whole())),
+          .member("nodes", forms::whole(), "Number of nodes of all skeletons.")
+          .member("instances", forms::whole(), "Number of instances.")
+          .member("triangles", forms::or_null(forms::whole()), "Number of triangles. Null: a coarser level is shown.")
+          .member("placed", forms::or_null(forms::map(forms::whole())),
                   "Number of instances by component, without omitted ones. Null: a drag.")
-          .member("components", or_null(map(forms::record(component_count_record))),
+          .member("components", forms::or_null(forms::map(forms::record(component_count_record))),
                   "Size of each component. Null: a coarser level is shown.")
-          .member("step", whole(), "Growth step that is shown.")
-          .member("steps", or_null(whole()),
+          .member("step", forms::whole(), "Growth step that is shown.")
+          .member("steps", forms::or_null(forms::whole()),
                   "Number of steps of the plants that the step is for. Null: growth is not recorded.")
-          .member("growing", or_null(map(whole())),
+          .member("growing", forms::or_null(forms::map(forms::whole())),
                   "Number of steps of the plants of each component that grows or places some. Null: growth is not "
                   "recorded.");
   return record;
@@ -181,11 +182,11 @@ const Record& failed_record() {
   static const Record record =
       WrittenRecord("Failed", "A growth that failed. The shown plant stays, even if it is a draft.")
           .member("job", job_name(), "The job: `grow`.")
-          .member("hash", text(), "Hash of the text.")
-          .member("message", text(), "What went wrong.")
+          .member("hash", forms::text(), "Hash of the text.")
+          .member("message", forms::text(), "Reason of the failure.")
           .optional("faults", faults(), "Reached limits of the document, and numbers that are not finite.")
-          .optional("limit", text(), "Name of the reached limit of the server.")
-          .optional("continues", flag(), "True: the work reached `job_seconds`, and `continue` continues it.");
+          .optional("limit", forms::text(), "Name of the reached limit of the server.")
+          .optional("continues", forms::flag(), "True: the work reached `job_seconds`, and `continue` continues it.");
   return record;
 }
 

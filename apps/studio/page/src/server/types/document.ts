@@ -7,9 +7,9 @@ import type { Json } from '../../values/json.ts';
 export interface Fault {
   /// A text with errors is not grown.
   severity: 'error' | 'warning';
-  /// What is wrong.
+  /// Description of the fault.
   message: string;
-  /// What is expected instead, or an empty text.
+  /// Expected value, or an empty text.
   expected: string;
   /// The nearest valid name, or an empty text.
   nearest: string;
@@ -27,7 +27,7 @@ export interface Fault {
 
 /// The reason why a request was refused.
 export interface Refused {
-  /// What is wrong, for users.
+  /// Reason of the refusal, for users.
   message: string;
   /// Faults of the document.
   faults?: Fault[];

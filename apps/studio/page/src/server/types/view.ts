@@ -118,7 +118,7 @@ export interface Working {
   job: 'grow' | 'export' | 'measure' | 'sweep' | 'stills' | 'grammar' | 'picture' | 'question';
   /// The `id` of the request. Missing: the growth.
   re?: number;
-  /// What the job does now. Null: the job is over.
+  /// Present stage of the job. Null: the job is over.
   stage: string | null;
   /// Finished share of the stage.
   share: number;
@@ -186,7 +186,7 @@ export interface Failed {
   job: 'grow' | 'export' | 'measure' | 'sweep' | 'stills' | 'grammar' | 'picture' | 'question';
   /// Hash of the text.
   hash: string;
-  /// What went wrong.
+  /// Reason of the failure.
   message: string;
   /// Reached limits of the document, and numbers that are not finite.
   faults?: Fault[];

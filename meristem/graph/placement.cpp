@@ -94,8 +94,8 @@ Placement overridden(Placement own, const Placement& link, const GivenRows& give
 namespace {
 
 constexpr double kDefaultDensity = 40;
-constexpr std::uint64_t kSitesTogether = 65'536;  // sites of one part of a placement
-constexpr float kDefaultTwig = 0.4F;              // metres from the tip that carry children by default
+constexpr std::uint64_t kSitesInPart = 65'536;  // sites of one part of a placement
+constexpr float kDefaultTwig = 0.4F;            // metres from the tip that carry children by default
 
 /// A straight piece of an axis that may carry children.
 struct Piece {
@@ -412,7 +412,7 @@ void place_in_parts(const Skeleton& skeleton, const Placement& placement, const 
   for (std::size_t begin = 0, end = 0; begin < planned.axes.size(); begin = end) {
     // Compute short axes together.
     std::uint64_t count = 0;
-    for (; end < planned.axes.size() && count + planned.axes[end].places * whorl <= kSitesTogether; ++end) {
+    for (; end < planned.axes.size() && count + planned.axes[end].places * whorl <= kSitesInPart; ++end) {
       count += planned.axes[end].places * whorl;
     }
     if (end > begin) {
@@ -422,8 +422,8 @@ void place_in_parts(const Skeleton& skeleton, const Placement& placement, const 
     // Compute a long axis in parts.
     const AxisSites& axis = planned.axes[end++];
     AxisWriter writer(skeleton, placement, context, static_cast<AxisIndex>(begin), axis);
-    for (std::uint64_t place = 0; place < axis.places; place += kSitesTogether / whorl) {
-      const std::uint64_t places = std::min(kSitesTogether / whorl, axis.places - place);
+    for (std::uint64_t place = 0; place < axis.places; place += kSitesInPart / whorl) {
+      const std::uint64_t places = std::min(kSitesInPart / whorl, axis.places - place);
       std::vector<Site> out(places * whorl);
       writer.write(places, out.data());
       receive(std::move(out));

@@ -17,6 +17,7 @@
 
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/placement_parts.h"
 #include "meristem/graph/recursion_depths.h"
 
 namespace meristem {
@@ -138,17 +139,21 @@ class LinkSites::Writer {
   /// grows. Only positions that can carry children at the present step are used.
   void add_placed(const EmittedStem& stem, const Skeleton& skeleton, const Placement& placement,
                   PlacementContext& context) {
-    if (stem.growing == nullptr) return add_on(stem, place_along(skeleton, placement, context));
+    if (stem.growing == nullptr) {
+      return place_in_parts(skeleton, placement, context,
+                            [&](std::vector<Site> sites) { add_on(stem, std::move(sites)); });
+    }
     if (stem.skeleton.node_count() == 0) return;
     const BearingOverTime bears(stem, placement, context);
     context.everywhere = true;
-    std::vector<Site> sites = place_along(skeleton, placement, context);
-    std::erase_if(sites, [&](Site& site) {
-      const float share = bears.share(site.node, site.along);
-      site.frame.axes *= share;
-      return share == 0;
+    place_in_parts(skeleton, placement, context, [&](std::vector<Site> sites) {
+      std::erase_if(sites, [&](Site& site) {
+        const float share = bears.share(site.node, site.along);
+        site.frame.axes *= share;
+        return share == 0;
+      });
+      add_on(stem, std::move(sites));
     });
-    add_on(stem, std::move(sites));
   }
 
   /// The shares of a growing stem's positions that carry children. The condition of the placement is evaluated only at

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/placement_parts.h"
 #include "meristem/graph/table/node_condition.h"
 #include "meristem/graph/table/table.h"
 
@@ -92,7 +94,8 @@ Placement overridden(Placement own, const Placement& link, const GivenRows& give
 namespace {
 
 constexpr double kDefaultDensity = 40;
-constexpr float kDefaultTwig = 0.4F;  // metres from the tip that carry children by default
+constexpr std::uint64_t kSitesInPart = 65'536;  // sites of one part of a placement
+constexpr float kDefaultTwig = 0.4F;            // metres from the tip that carry children by default
 
 /// A straight piece of an axis that may carry children.
 struct Piece {
@@ -200,45 +203,48 @@ double count_places(std::vector<AxisSites>& axes, const Placement& placement, Ra
 /// Returns the order of a skeleton's main axis. A stem that stands on another stem is a lateral of that stem.
 int first_order(const Site& parent) { return parent.stem == kOnNoStem ? 0 : parent.order + 1; }
 
-/// Computes the sites of one axis.
+/// Computes the sites of one axis, from base to tip.
 class AxisWriter {
  public:
-  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, AxisIndex axis)
+  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, AxisIndex axis,
+             const AxisSites& sites)
       : skeleton_(skeleton),
         placement_(placement),
         context_(context),
+        axis_(sites),
         key_(context.parent.key.child(axis)),
-        places_(context.key_of_places().child(axis)) {}
+        places_(context.key_of_places().child(axis)) {
+    if (axis_.places == 0) return;
+    roll_ = placement_.roll.value_or(2 * kPi * places_.uniform(1));
+    spacing_ = axis_.eligible / (static_cast<double>(axis_.places) - 1 + axis_.last);
+    tangent_ = piece_tangent(axis_.pieces[0]);
+    radial_ = first_radial(tangent_);
+  }
 
-  void write(const AxisSites& axis, Site* out) {
-    if (axis.places == 0) return;
+  /// Writes the sites of the next `count` places.
+  void write(std::uint64_t count, Site* out) {
     const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
-    const double roll = placement_.roll.value_or(2 * kPi * places_.uniform(1));
-    const double spacing = axis.eligible / (static_cast<double>(axis.places) - 1 + axis.last);
-    std::size_t p = 0;
-    Vec3 tangent = piece_tangent(axis.pieces[0]);
-    Vec3 radial = first_radial(tangent);
-    for (std::uint64_t k = 0; k < axis.places; ++k) {
-      // Walk to the piece with the k-th site, carrying the radial direction without twist.
-      const double at = std::min((static_cast<double>(k) + 0.5) * spacing, axis.eligible);
-      while (p + 1 < axis.pieces.size() && at >= axis.pieces[p + 1].carried) {
-        const Vec3 next = piece_tangent(axis.pieces[++p]);
-        radial = rotation_between(tangent, next) * radial;
-        tangent = next;
+    for (const std::uint64_t end = next_ + count; next_ < end; ++next_) {
+      // Walk to the piece with the next site, carrying the radial direction without twist.
+      const double at = std::min((static_cast<double>(next_) + 0.5) * spacing_, axis_.eligible);
+      while (piece_ + 1 < axis_.pieces.size() && at >= axis_.pieces[piece_ + 1].carried) {
+        const Vec3 next = piece_tangent(axis_.pieces[++piece_]);
+        radial_ = rotation_between(tangent_, next) * radial_;
+        tangent_ = next;
       }
-      const Piece& piece = axis.pieces[p];
+      const Piece& piece = axis_.pieces[piece_];
       const auto along = static_cast<float>(piece.begin + (at - piece.carried) / (piece.weight * piece.length));
       for (std::uint64_t w = 0; w < whorl; ++w) {
-        const double azimuth = roll + static_cast<double>(k) * placement_.divergence +
+        const double azimuth = roll_ + static_cast<double>(next_) * placement_.divergence +
                                2 * kPi * static_cast<double>(w) / static_cast<double>(whorl);
-        Site& site = out[k * whorl + w];
+        Site& site = *out++;
         site = context_.parent;
-        site.i = static_cast<std::uint32_t>(k * whorl + w);
-        site.n = static_cast<std::uint32_t>(axis.places * whorl);
-        site.part = static_cast<float>(1 - placement_.whorl * (1 - axis.last));
+        site.i = static_cast<std::uint32_t>(next_ * whorl + w);
+        site.n = static_cast<std::uint32_t>(axis_.places * whorl);
+        site.part = static_cast<float>(1 - placement_.whorl * (1 - axis_.last));
         site.key = key_.child(site.i);
-        fill(site, axis, piece, std::clamp(along, 0.0F, 1.0F), rotation(tangent, azimuth) * radial, tangent);
-        if (k + 1 == axis.places && axis.last < 1) site.frame.axes *= static_cast<float>(axis.last);
+        fill(site, axis_, piece, std::clamp(along, 0.0F, 1.0F), rotation(tangent_, azimuth) * radial_, tangent_);
+        if (next_ + 1 == axis_.places && axis_.last < 1) site.frame.axes *= static_cast<float>(axis_.last);
       }
     }
   }
@@ -313,8 +319,21 @@ class AxisWriter {
   const Skeleton& skeleton_;
   const Placement& placement_;
   const PlacementContext& context_;
-  RandomKey key_;     // key of the children
-  RandomKey places_;  // key of their positions
+  const AxisSites& axis_;
+  RandomKey key_;           // key of the children
+  RandomKey places_;        // key of their positions
+  double roll_ = 0;         // of the first site
+  double spacing_ = 0;      // weighted length from place to place
+  std::uint64_t next_ = 0;  // the next place
+  std::size_t piece_ = 0;   // index of the piece with the last place
+  Vec3 tangent_{0};         // direction of this piece
+  Vec3 radial_{0};          // zero of the rolls on this piece
+};
+
+/// The sites of a whole skeleton, before they are computed.
+struct PlannedSites {
+  std::vector<AxisSites> axes;
+  std::uint64_t count = 0;
 };
 
 }  // namespace
@@ -329,7 +348,10 @@ std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placemen
   return eligible_nodes(skeleton, Axes(skeleton), placement, context);
 }
 
-std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+namespace {
+
+/// Shares the sites out over the axes. Throws InputError past the limit of instances.
+PlannedSites plan_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
   if (placement.face && placement.face->is_from_surface &&
       (context.obstacles == nullptr || context.obstacles->empty())) {
     throw InputError(Diagnostic{.message = "there is no obstacle whose surface the children could face away from",
@@ -351,20 +373,62 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
     throw_limit("children", total, context.limits->instances, "instances",
                 context.path + (placement.count ? ".count" : ".density"));
   }
-  std::uint64_t sites = 0;
-  for (AxisSites& axis : places) {
-    axis.first_site = sites;
-    sites += axis.places * static_cast<std::uint64_t>(placement.whorl);
+  PlannedSites planned{.axes = std::move(places)};
+  for (AxisSites& axis : planned.axes) {
+    axis.first_site = planned.count;
+    planned.count += axis.places * static_cast<std::uint64_t>(placement.whorl);
   }
+  return planned;
+}
 
-  std::vector<Site> out(sites);
-  parallel_for(axes.count(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t a = begin; a < end; ++a) {
-      AxisWriter(skeleton, placement, context, static_cast<AxisIndex>(a))
-          .write(places[a], out.data() + places[a].first_site);
+/// Returns the sites of the axes from `begin` to before `end`.
+std::vector<Site> sites_of_axes(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context,
+                                const PlannedSites& planned, std::size_t begin, std::size_t end) {
+  const auto first_of = [&](std::size_t axis) {
+    return axis < planned.axes.size() ? planned.axes[axis].first_site : planned.count;
+  };
+  std::vector<Site> out(first_of(end) - first_of(begin));
+  parallel_for(end - begin, 16, [&](std::size_t from, std::size_t to) {
+    for (std::size_t a = begin + from; a < begin + to; ++a) {
+      const AxisSites& axis = planned.axes[a];
+      AxisWriter(skeleton, placement, context, static_cast<AxisIndex>(a), axis)
+          .write(axis.places, out.data() + (axis.first_site - first_of(begin)));
     }
   });
   return out;
+}
+
+}  // namespace
+
+std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+  const PlannedSites planned = plan_along(skeleton, placement, context);
+  return sites_of_axes(skeleton, placement, context, planned, 0, planned.axes.size());
+}
+
+void place_in_parts(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context,
+                    FunctionRef<void(std::vector<Site>)> receive) {
+  const PlannedSites planned = plan_along(skeleton, placement, context);
+  const auto whorl = static_cast<std::uint64_t>(placement.whorl);
+  for (std::size_t begin = 0, end = 0; begin < planned.axes.size(); begin = end) {
+    // Compute short axes together.
+    std::uint64_t count = 0;
+    for (; end < planned.axes.size() && count + planned.axes[end].places * whorl <= kSitesInPart; ++end) {
+      count += planned.axes[end].places * whorl;
+    }
+    if (end > begin) {
+      receive(sites_of_axes(skeleton, placement, context, planned, begin, end));
+      continue;
+    }
+    // Compute a long axis in parts.
+    const AxisSites& axis = planned.axes[end++];
+    AxisWriter writer(skeleton, placement, context, static_cast<AxisIndex>(begin), axis);
+    for (std::uint64_t place = 0; place < axis.places; place += kSitesInPart / whorl) {
+      const std::uint64_t places = std::min(kSitesInPart / whorl, axis.places - place);
+      std::vector<Site> out(places * whorl);
+      writer.write(places, out.data());
+      receive(std::move(out));
+    }
+  }
 }
 
 std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent) {

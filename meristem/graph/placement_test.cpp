@@ -10,6 +10,8 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/batch.h"
+#include "meristem/graph/placement_parts.h"
 #include "meristem/graph/table/reader.h"
 
 namespace meristem::placement_test {
@@ -459,6 +461,25 @@ TEST(Placement, EqualKeysGiveEqualPlacesWhateverTheirChildrensKeys) {
     EXPECT_EQ(one[k].frame.origin, two[k].frame.origin);
     EXPECT_EQ(one[k].i, two[k].i);
     EXPECT_NE(one[k].key, two[k].key);
+  }
+}
+
+TEST(Placement, PartsHoldTheSitesOfTheWholeInTheirOrder) {
+  const Limits limits;
+  const PlacementContext context{.parent = {}, .places = RandomKey(5), .limits = &limits, .path = "links[0]"};
+  Skeleton bent = twigs(0.3F);
+  add_axis(bent, 0, {0.6F, 0.8F, 0}, 50, 700);
+  for (const Value::Object& keys :
+       {Value::Object{{"density", 31.7}, {"angle_spread", 20}}, Value::Object{{"count", 150'000.4}},
+        Value::Object{{"count", 70'000}, {"whorl", 3}, {"roll", 20}}}) {
+    const Placement placement = everywhere(keys);
+    const std::vector<Site> whole = place_along(bent, placement, context);
+    std::size_t next = 0;
+    place_in_parts(bent, placement, context, [&](std::vector<Site> part) {
+      EXPECT_LE(part.size(), 65'536U);
+      for (const Site& site : part) ASSERT_EQ(hash_of(site), hash_of(whole[next++]));
+    });
+    EXPECT_EQ(next, whole.size());
   }
 }
 

@@ -23,6 +23,12 @@ ONE_PARENT = """{
   "links": [["star", "leaf"]]
 }"""
 
+ONE_STEM = """{
+  "meristem": 1,
+  "components": {"stem": {"type": "tree", "length": 20, "segments": 10}, "leaf": {"type": "leaf"}},
+  "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": %d}]
+}"""
+
 STEMS = """{
   "meristem": 1,
   "components": {
@@ -85,8 +91,11 @@ class MemoryTest(cli_case.Case):
     def test_a_leaf_takes_less_than_120_bytes(self):
         self.assertLess(self.bytes_each(BUSH, (10, 60), 1_000_000), 120)
 
-    def test_a_child_of_a_parent_with_a_million_children_takes_less_than_160_bytes(self):
-        self.assertLess(self.bytes_each(ONE_PARENT, (200_000, 1_200_000), 1_000_000), 160)
+    def test_a_child_of_a_parent_with_a_million_children_takes_less_than_120_bytes(self):
+        self.assertLess(self.bytes_each(ONE_PARENT, (200_000, 1_200_000), 1_000_000), 120)
+
+    def test_a_leaf_on_a_stem_with_a_million_leaves_takes_less_than_160_bytes(self):
+        self.assertLess(self.bytes_each(ONE_STEM, (200_000, 1_200_000), 1_000_000), 160)
 
     def test_a_stem_of_two_nodes_takes_less_than_1500_bytes(self):
         self.assertLess(self.bytes_each(STEMS, (500, 2500), 200_000), 1500)

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include "bench/harness.h"
 #include "meristem/components/registry.h"
@@ -159,9 +162,8 @@ void reading(benchmark::State& state, Maker make) {
   state.counters["mb_large"] = 1e-6 * static_cast<double>(large_text.size());
 }
 
-/// The longest time from a cancel until the reading that it stops has thrown.
-void cancelling(benchmark::State& state, Maker make) {
-  const std::string text = make(sized<std::size_t>(300'000, 1000));
+/// Measures the longest time from a cancel until the reading that it stops has thrown.
+void cancel_reading(benchmark::State& state, const std::string& text) {
   const double whole = seconds_to_read(text);
   constexpr int kCancels = 20;
   double longest = 0;
@@ -188,6 +190,79 @@ void cancelling(benchmark::State& state, Maker make) {
   state.counters["cancel_ms"] = longest;
 }
 
+void cancelling(benchmark::State& state, Maker make) { cancel_reading(state, make(sized<std::size_t>(300'000, 1000))); }
+
+// Files that documents name. A mesh of a grid, points, a table of nodes and a table of places.
+
+std::string rows(std::size_t count, const std::function<std::string(std::size_t)>& row) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) text += row(k) + "\n";
+  return text;
+}
+
+std::string grid_point(std::size_t k) { return number(k % 1000) + " " + number(k / 1000) + " " + number(k % 7); }
+
+std::string obj_file(std::size_t count) {
+  const auto face = [](std::size_t k) { return "f " + number(k + 1) + " " + number(k + 2) + " " + number(k + 3); };
+  return rows(count, [](std::size_t k) { return "v " + grid_point(k); }) + rows(count - 2, face);
+}
+
+std::string ply_file(std::size_t count) {
+  const auto face = [](std::size_t k) { return "3 " + number(k) + " " + number(k + 1) + " " + number(k + 2); };
+  return "ply\nformat ascii 1.0\nelement vertex " + number(count) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + number(count - 2) +
+         "\nproperty list uchar int vertex_indices\nend_header\n" + rows(count, grid_point) + rows(count - 2, face);
+}
+
+std::string points_file(std::size_t count) { return rows(count, grid_point); }
+
+std::string nodes_file(std::size_t count) {
+  return "node,x,y,z,parent,radius\n" + rows(count, [](std::size_t k) {
+           return number(k) + ",0," + number(k % 1000) + ",1," + (k == 0 ? "-1" : number(k - 1)) + ",0.1";
+         });
+}
+
+std::string table_file(std::size_t count) {
+  const auto row = [](std::size_t k) { return number(k % 1000) + "," + number(k / 1000) + ",t" + number(k % 9); };
+  return "x,y,kind\n" + rows(std::min<std::size_t>(count, 900'000), row);
+}
+
+/// The path of a file with that content, which is removed with this object.
+class NamedFile {
+ public:
+  NamedFile(const std::string& name, const std::string& content)
+      : path_((std::filesystem::temp_directory_path() / (number(::getpid()) + name)).string()) {
+    std::ofstream(path_) << content;
+  }
+  ~NamedFile() { std::filesystem::remove(path_); }
+  NamedFile(const NamedFile&) = delete;
+  NamedFile& operator=(const NamedFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// `members` are the members of a document. PATH stands for the path of its file.
+void cancelling_file(benchmark::State& state, Maker make, const char* name, std::string members) {
+  const NamedFile file(name, make(sized<std::size_t>(2'000'000, 2000)));
+  members.replace(members.find("PATH"), 4, file.path());
+  cancel_reading(state, "{\"meristem\": 1, " + members + "}");
+}
+
+#define MERISTEM_READING_FILE(what, name, members)                     \
+  BENCHMARK_CAPTURE(cancelling_file, what, what##_file, name, members) \
+      ->Iterations(1)                                                  \
+      ->Unit(benchmark::kMillisecond)                                  \
+      ->UseRealTime()
+constexpr const char* kObstacle =
+    R"("scene": {"obstacles": [{"mesh": "PATH", "broken": true}]}, "components": {"t": {"type": "tree"}})";
+MERISTEM_READING_FILE(obj, "m.obj", kObstacle);
+MERISTEM_READING_FILE(ply, "m.ply", kObstacle);
+MERISTEM_READING_FILE(points, "p.xyz", R"("components": {"t": {"type": "colonize", "points": {"file": "PATH"}}})");
+MERISTEM_READING_FILE(nodes, "n.csv", R"("components": {"t": {"type": "skeleton", "file": "PATH"}})");
+MERISTEM_READING_FILE(table, "t.csv", R"("components": {"t": {"type": "places", "table": "PATH"}})");
+
 #define MERISTEM_READING(what)                                                                         \
   BENCHMARK_CAPTURE(reading, what, what)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime(); \
   BENCHMARK_CAPTURE(cancelling, what, what)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime()
@@ -208,6 +283,9 @@ int main(int count, char** arguments) {
   for (const char* const what : {"components", "links", "chain", "drawn", "too_many", "faults"}) {
     asked.push_back({std::string("reading/") + what, "exponent", Asked::at_most, 1.1});
     asked.push_back({std::string("cancelling/") + what, "cancel_ms", Asked::at_most, 50});
+  }
+  for (const char* const what : {"obj", "ply", "points", "nodes", "table"}) {
+    asked.push_back({std::string("cancelling_file/") + what, "cancel_ms", Asked::at_most, 50});
   }
   return meristem::bench::run(count, arguments, asked);
 }

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/free_later.h"
 #include "meristem/base/name_table.h"
 #include "meristem/base/reading_stop.h"
 #include "meristem/base/stoppable_mutex.h"
@@ -442,12 +443,9 @@ std::function<Document(double, const Progress*)> reading_again(const Document& d
   };
 }
 
-}  // namespace
-
-Document read_document(std::string text, const std::string& file, const Registry& registry,
-                       const ReadOptions& options) {
-  const ReadingStop stop(options.progress);  // of the files that the document names
-  Document document;
+/// Reads a document into `document`, which is incomplete if this throws.
+void read_into(Document& document, std::string text, const std::string& file, const Registry& registry,
+               const ReadOptions& options) {
   document.source = {.file = file, .text = std::move(text)};
   bool depends_on_time = false;
   std::vector<Diagnostic> diagnostics;
@@ -480,6 +478,20 @@ Document read_document(std::string text, const std::string& file, const Registry
   if (options.store != nullptr && is_outermost) options.store->end_read();
   document.time = options.time;
   if (depends_on_time && is_outermost) document.at_time = reading_again(document, registry, options);
+}
+
+}  // namespace
+
+Document read_document(std::string text, const std::string& file, const Registry& registry,
+                       const ReadOptions& options) {
+  const ReadingStop stop(options.progress);  // of the files that the document names
+  Document document;
+  try {
+    read_into(document, std::move(text), file, registry, options);
+  } catch (const Cancelled&) {
+    free_later(std::move(document));
+    throw;
+  }
   return document;
 }
 

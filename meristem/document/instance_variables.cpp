@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/base/name_index.h"
 #include "meristem/base/name_table.h"
 #include "meristem/document/mentions.h"
 #include "meristem/document/tables.h"
@@ -34,6 +35,12 @@ struct Draft {
   std::vector<std::size_t> uses;  // indices of other drafts
 };
 
+/// Returns the id of a component.
+struct IdAt {
+  const Graph& graph;
+  std::string_view operator()(std::size_t component) const { return graph.components[component].id; }
+};
+
 class InstanceVariableReader {
  public:
   InstanceVariableReader(const Value::Object& given, Graph& graph, ParameterReader& reader)
@@ -52,7 +59,8 @@ class InstanceVariableReader {
     }
     if (drafts_.empty()) return;
     first_slot_ = graph_.site_names.size();
-    for (const Prototype& prototype : graph_.components) ids_.add(prototype.id);
+    ids_ = NameIndex(graph_.components.size());
+    for (std::size_t c = 0; c < graph_.components.size(); ++c) ids_.enter(graph_.components[c].id, c, IdAt{graph_});
     const NameTable columns(graph_.site_names);
     std::vector<std::string> names;
     for (const Draft& draft : drafts_) {
@@ -100,11 +108,14 @@ class InstanceVariableReader {
   }
 
   void find_owner(Draft& draft, const std::string& id, const DocumentPath& path) {
-    if (const auto owner = ids_.find(id)) {
+    if (const auto owner = ids_.find(id, IdAt{graph_})) {
       draft.owner = static_cast<ComponentIndex>(*owner);
       return;
     }
-    const std::string nearest = reader_.nearest(id, ids_.names());
+    if (id_list_.empty()) {
+      for (const Prototype& prototype : graph_.components) id_list_.push_back(prototype.id);
+    }
+    const std::string nearest = reader_.nearest(id, id_list_);
     reader_.fault(path, fmt::format("there is no component '{}'", id), nearest.empty() ? "the id of a component" : "",
                   nearest);
   }
@@ -173,7 +184,8 @@ class InstanceVariableReader {
   ParameterReader& reader_;
   const DocumentPath top_;
   const DocumentPath path_{top_, "variables"};
-  NameTable ids_;  // ids of components
+  NameIndex ids_;                     // ids of components
+  std::vector<std::string> id_list_;  // filled for the first message
   std::vector<Draft> drafts_;
   std::size_t first_slot_ = 0;
 };

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/free_later.h"
 #include "meristem/base/name_index.h"
 #include "meristem/document/locate.h"
 
@@ -94,6 +95,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   Value take_root() { return std::move(root_); }
+  /// Returns all values so far.
+  std::vector<Value> take_all() {
+    open_.push_back(std::move(root_));
+    return std::move(open_);
+  }
   const std::optional<Diagnostic>& fault() const { return fault_; }
 
  private:
@@ -201,8 +207,13 @@ Value parse_json(std::string_view text, const Limits& limits, const Progress* pr
         .message = "a byte 0x00", .expected = "text in UTF-8 without it", .line = at.line, .column = at.column});
   }
   TreeBuilder builder(text, limits, progress);
-  nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
-                            /*strict=*/true, /*ignore_comments=*/true);
+  try {
+    nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
+                              /*strict=*/true, /*ignore_comments=*/true);
+  } catch (const Cancelled&) {
+    free_later(builder.take_all());
+    throw;
+  }
   if (builder.fault()) throw InputError(*builder.fault());
   return builder.take_root();
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/reading_stop.h"
+
 namespace meristem {
 
 namespace {
@@ -15,12 +17,15 @@ class Roots {
   Roots(Graph& graph, ComponentIndex camera)
       : graph_(graph), camera_(camera), children_(camera), has_parent_(camera), is_reached_(camera) {
     for (const Link& link : graph.links) {
+      stop_.step();
       children_[link.from].push_back(link.to);
       has_parent_[link.to] = true;
     }
   }
 
   void run() {
+    const auto roots = std::ranges::count(has_parent_, false);
+    graph_.links.reserve(graph_.links.size() + static_cast<std::size_t>(roots));
     for (ComponentIndex c = 0; c < camera_; ++c) {
       if (!has_parent_[c]) link_to(c);
     }
@@ -34,12 +39,14 @@ class Roots {
 
  private:
   void link_to(ComponentIndex component) {
+    stop_.step();
     graph_.links.push_back({.from = camera_, .to = component, .kind = ChildLink{}, .fingerprint = 0});
     is_reached_[component] = true;
     std::vector<ComponentIndex> ahead{component};
     while (!ahead.empty()) {
       const ComponentIndex next = ahead.back();
       ahead.pop_back();
+      stop_.step();
       for (const ComponentIndex child : children_[next]) {
         if (!is_reached_[child]) ahead.push_back(child);
         is_reached_[child] = true;
@@ -47,6 +54,7 @@ class Roots {
     }
   }
 
+  StopCounter stop_;
   Graph& graph_;
   ComponentIndex camera_;  // the last component
   std::vector<std::vector<ComponentIndex>> children_;

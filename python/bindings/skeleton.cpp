@@ -11,6 +11,7 @@
 #include "call.h"
 #include "document.h"
 #include "meristem/base/read_file.h"
+#include "meristem/base/reading_stop.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/file/node_table.h"
@@ -144,14 +145,17 @@ SkeletonPointer read_mtg_file(const py::object& file, const std::array<std::stri
                               const std::string& diameter, double unit, const std::optional<double>& diameter_unit) {
   if (!(unit > 0) || !(diameter_unit.value_or(unit) > 0)) throw py::value_error("units must be above 0 metres");
   const std::string path = path_of(file);
-  const Limits limits;
-  MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path,
-                                 {.position = coordinates,
-                                  .diameter = diameter,
-                                  .length_unit = unit,
-                                  .diameter_unit = diameter_unit.value_or(unit)},
-                                 limits);
-  return std::make_shared<Skeleton>(std::move(read.skeleton));
+  return run_call(py::none(), 1, [&](Progress& progress) {
+    const ReadingStop stop(&progress);
+    const Limits limits;
+    MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path,
+                                   {.position = coordinates,
+                                    .diameter = diameter,
+                                    .length_unit = unit,
+                                    .diameter_unit = diameter_unit.value_or(unit)},
+                                   limits);
+    return std::make_shared<Skeleton>(std::move(read.skeleton));
+  });
 }
 
 SkeletonPointer read_skeleton_file(const py::object& file, double unit, const std::optional<double>& diameter_unit,
@@ -159,15 +163,18 @@ SkeletonPointer read_skeleton_file(const py::object& file, double unit, const st
   if (!(unit > 0) || !(diameter_unit.value_or(unit) > 0)) throw py::value_error("units must be above 0 metres");
   if (up != "file" && up != "y" && up != "z") throw py::value_error("up is 'file', 'y' or 'z'");
   const std::string path = path_of(file);
-  const Limits limits;
-  const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
-  const bool is_y_up = up == "file" ? table.is_y_up : up == "y";
-  return std::make_shared<Skeleton>(skeleton_of(table,
-                                                {.unit = unit,
-                                                 .radius_factor = diameter_unit.value_or(unit) / unit,
-                                                 .is_y_up = is_y_up,
-                                                 .begins_at_origin = at_origin},
-                                                path));
+  return run_call(py::none(), 1, [&](Progress& progress) {
+    const ReadingStop stop(&progress);
+    const Limits limits;
+    const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
+    const bool is_y_up = up == "file" ? table.is_y_up : up == "y";
+    return std::make_shared<Skeleton>(skeleton_of(table,
+                                                  {.unit = unit,
+                                                   .radius_factor = diameter_unit.value_or(unit) / unit,
+                                                   .is_y_up = is_y_up,
+                                                   .begins_at_origin = at_origin},
+                                                  path));
+  });
 }
 
 void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threads, const py::object& progress) {

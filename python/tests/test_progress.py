@@ -154,6 +154,16 @@ def test_ctrl_c_stops_reading(tmp_path: Path) -> None:
     assert small.is_good and small.undo_count == 0 and len(small.text) < 5000
 
 
+def test_ctrl_c_stops_reading_files(tmp_path: Path) -> None:
+    rows = range(800_000)
+    table = tmp_path / "nodes.csv"
+    table.write_text("node,x,y,z,parent,radius\n" + "".join(f"{k},{k},0,1,{k - 1},0.1\n" for k in rows))
+    press_ctrl_c_during(lambda: meristem.read_skeleton(table))
+    document = tmp_path / "d.json"
+    document.write_text('{"meristem": 1, "components": {"t": {"type": "skeleton", "file": "nodes.csv"}}}')
+    press_ctrl_c_during(lambda: meristem.read(document))
+
+
 def test_ctrl_c_stops_the_conversion_of_a_large_dict() -> None:
     large = {"meristem": 1, "components": {f"c{k}": {"type": "leaf"} for k in range(1_000_000)}}
     press_ctrl_c_during(lambda: meristem.Document(large))

@@ -51,6 +51,35 @@ class Signals(cli_case.Case):
         process.communicate(timeout=10)
         self.assertEqual(process.returncode, -signal.SIGINT)
 
+    def test_reading_large_files_stops(self):
+        rows = range(400_000)
+        mesh = "".join(f"v {k % 1000} {k // 1000} {k % 7}\n" for k in rows)
+        mesh += "".join(f"f {k + 1} {k + 2} {k + 1001}\n" for k in rows[:-1001])
+        table = "node,x,y,z,parent,radius\n" + "".join(f"{k},{k % 1000},{k // 1000},1,{k - 1},0.1\n" for k in rows)
+        cases = {"m.obj": (mesh, '"scene": {"obstacles": [{"mesh": "m.obj", "broken": true}]}, '
+                                 '"components": {"t": {"type": "tree"}}'),
+                 "p.xyz": ("".join(f"{k % 1000} {k // 1000} {k % 7}\n" for k in rows),
+                           '"components": {"t": {"type": "colonize", "points": {"file": "p.xyz"}}}'),
+                 "n.csv": (table, '"components": {"t": {"type": "skeleton", "file": "n.csv"}}')}
+        for name, (content, members) in cases.items():
+            with self.subTest(name):
+                self.write(name, content)
+                self.write("d.json", '{"meristem": 1, ' + members + "}")
+                begin = time.monotonic()
+                self.assert_ends(0, "check", "--quick", "d.json")
+                whole = time.monotonic() - begin
+                stops = []
+                for share in (0.3, 0.5, 0.7):
+                    process = self.start("check", "--quick", "d.json")
+                    time.sleep(share * whole)
+                    sent = time.monotonic()
+                    process.send_signal(signal.SIGINT)
+                    process.communicate(timeout=60)
+                    if process.returncode == -signal.SIGINT:
+                        stops.append((time.monotonic() - sent) / whole)
+                # At least one signal came while the program was reading. It ended long before it would have ended alone.
+                self.assertTrue(stops and min(stops) < 0.25, stops)
+
     def test_ignored_signals_stay_ignored(self):
         process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,
                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))

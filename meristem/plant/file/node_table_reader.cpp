@@ -176,7 +176,8 @@ class TableReader {
   bool is_own() const { return kNumber.in(head_) && kNodeBranch.in(head_) && kBirth.in(head_); }
 
   std::vector<Row> rows() {
-    form() == NodeTableForm::nodes ? ask_for_nodes() : ask_for_cylinders();
+    const NodeTableForm own_form = form();
+    own_form == NodeTableForm::nodes ? ask_for_nodes() : ask_for_cylinders();
     const Columns columns = read();
     std::vector<Row> rows(columns.row_count());
     StopCounter stop;
@@ -186,7 +187,7 @@ class TableReader {
       Row& row = rows[k];
       row.line = columns.lines[k] + before_.lines;
       // Without a column of numbers, cylinders are counted from 1, so that 0 means no parent. Nodes are counted from 0.
-      const double counted = static_cast<double>(k) + (form() == NodeTableForm::cylinders ? 1 : 0);
+      const double counted = static_cast<double>(k) + (own_form == NodeTableForm::cylinders ? 1 : 0);
       row.number = number_ == kNone ? counted : value(number_);
       row.parent = value(parent_);
       row.radius = value(radius_) * (is_diameter_ ? 0.5 : 1);
@@ -194,7 +195,7 @@ class TableReader {
       row.birth = value(birth_);
       row.begin = {value(begin_[0]), value(begin_[1]), value(begin_[2])};
       row.end = row.begin;
-      if (form() == NodeTableForm::nodes) continue;
+      if (own_form == NodeTableForm::nodes) continue;
       const DVec3 other(value(other_[0]), value(other_[1]), value(other_[2]));
       const double length = glm::length(other);
       row.end = length_ == kNone ? other : row.begin + (length > 0 ? value(length_) / length : 0) * other;
@@ -286,23 +287,21 @@ class Sorter {
   /// Finds the row of each parent. A row has no parent if its cell is empty, negative, or 0 when no row has the number
   /// 0.
   void find_parents() {
-    std::unordered_map<double, std::uint32_t> row_of;
-    row_of.reserve(rows_.size());
-    for (std::uint32_t k = 0; k < rows_.size(); ++k) {
+    // Sorted numbers, because a map of millions of numbers takes too long to free when the reading is stopped.
+    std::vector<std::pair<double, std::uint32_t>> row_of(rows_.size());
+    for (std::uint32_t k = 0; k < rows_.size(); ++k) row_of[k] = {rows_[k].number, k};
+    std::sort(row_of.begin(), row_of.end(), [this](const auto& a, const auto& b) {
       stop_.step();
-      const auto [entry, is_new] = row_of.emplace(rows_[k].number, k);
-      if (is_new) continue;
-      fail(file_, rows_[k].line,
-           fmt::format("the number {:.12g} is that of line {} already", rows_[k].number, rows_[entry->second].line),
-           "a number of its own for each row");
-    }
+      return a < b;
+    });
+    require_own_numbers(row_of);
     parent_.assign(rows_.size(), kNoRow);
     for (std::uint32_t k = 0; k < rows_.size(); ++k) {
       stop_.step();
       const double named = rows_[k].parent;
       if (std::isnan(named) || named < 0) continue;
-      const auto found = row_of.find(named);
-      if (found != row_of.end()) {
+      const auto found = std::lower_bound(row_of.begin(), row_of.end(), std::pair(named, std::uint32_t{0}));
+      if (found != row_of.end() && found->first == named) {
         parent_[k] = found->second;
       } else if (named != 0) {
         fail(file_, rows_[k].line, fmt::format("there is no parent {:.12g}", named),
@@ -310,6 +309,22 @@ class Sorter {
                          form_ == NodeTableForm::cylinders ? " or 0" : ""));
       }
     }
+  }
+
+  /// Reports the first row whose number an earlier row has. The rows are sorted by number.
+  void require_own_numbers(const std::vector<std::pair<double, std::uint32_t>>& row_of) {
+    std::uint32_t first = kNoRow;  // of the rows that repeat a number
+    std::uint32_t before = 0;
+    for (std::size_t k = 1; k < row_of.size(); ++k) {
+      if (row_of[k].first != row_of[k - 1].first || row_of[k].second >= first) continue;
+      // A third row with this number comes later.
+      first = row_of[k].second;
+      before = row_of[k - 1].second;
+    }
+    if (first == kNoRow) return;
+    fail(file_, rows_[first].line,
+         fmt::format("the number {:.12g} is that of line {} already", rows_[first].number, rows_[before].line),
+         "a number of its own for each row");
   }
 
   /// Orders the rows level by level from the roots. Reports rows that are never reached: their parents form a circle.

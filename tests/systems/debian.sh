@@ -9,13 +9,19 @@
 #
 # RELEASE is a name that debootstrap knows, such as bookworm or trixie. The script must run as root. The root and its
 # build folder stay for the next run; remove build/systems/RELEASE to begin anew. MERISTEM names this system's program
-# (build/release/bin/meristem). The exit code is 77 if this machine does not allow mounts, device files or chroot.
+# (build/release/bin/meristem). The exit code is 77 if this machine does not allow mounts, device files or chroot, and with
+# --quick also if it cannot reach a mirror.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 fail() {
   printf 'debian.sh: %s\n' "$*" >&2
   exit 1
+}
+
+skip() {
+  printf 'debian.sh: SKIPPED: nothing was tested on Debian %s, because this machine %s\n' "$release" "$1" >&2
+  exit 77
 }
 
 title() { printf '\n== %s (%s s)\n' "$*" "$SECONDS"; }
@@ -45,8 +51,7 @@ refused() {
 if [[ ${MERISTEM_INSIDE:-} != yes ]]; then
   reason=$(refused)
   if [[ -n $reason ]]; then
-    printf 'debian.sh: SKIPPED: nothing was tested on Debian %s, because this machine refuses: %s\n' "$release" "$reason" >&2
-    exit 77
+    skip "refuses: $reason"
   fi
   trap 'kill -KILL "$child" 2>/dev/null || true' EXIT
   trap 'exit 130' INT TERM HUP
@@ -74,8 +79,10 @@ make_root() {
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Label: Debian' 2>/dev/null | head -n 1)
   mirror=${mirror:-http://deb.debian.org/debian}
   title "make a root of $release from $mirror"
-  wget --quiet --tries=2 --timeout=30 --output-document=/dev/null "${mirror%/}/dists/$release/InRelease" ||
+  if ! wget --quiet --tries=2 --timeout=30 --output-document=/dev/null "${mirror%/}/dists/$release/InRelease"; then
+    [[ $mode != --quick ]] || skip "cannot reach ${mirror%/}/dists/$release/InRelease"
     fail "cannot read ${mirror%/}/dists/$release/InRelease: the mirror is out of reach or lacks the release"
+  fi
   rm -rf "$root"
   mkdir -p "$root/etc/dpkg/dpkg.cfg.d"
   printf 'force-unsafe-io\npath-exclude=/usr/share/man/*\npath-exclude=/usr/share/locale/*\n' \

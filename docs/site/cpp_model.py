@@ -269,9 +269,12 @@ def read_declarations(folder: Path) -> list[Declaration]:
     """Returns all public declarations. Nested classes are members of their classes."""
     classes: dict[str, Declaration] = {}
     free: dict[str, Declaration] = {}
-    inner: dict[str, str] = {}  # id of a nested class to the id of the class around it
+    inner: dict[str, str] = {}  # id of a public nested class to the id of the class around it
+    nested_ids: set[str] = set()  # of nested classes, private ones too
     for compound in compounds_of(folder):
         kind = compound.get("kind")
+        if kind in CLASSES:
+            nested_ids.update(nested.get("refid") or "" for nested in compound.findall("innerclass"))
         if kind in CLASSES and "<" not in (compound.findtext("compoundname") or ""):
             classes[compound.get("id") or ""] = class_of(compound)
             inner.update({nested.get("refid") or "": compound.get("id") or ""
@@ -286,8 +289,7 @@ def read_declarations(folder: Path) -> list[Declaration]:
         if nested in classes and around in classes:
             classes[around].members.append(classes[nested])
             classes[around].members.sort(key=lambda member: member.line)
-    nested_ids = set(inner)
-    top = [found for found in classes.values() if "::" not in found.qualified and found.id not in nested_ids]
+    top = [found for found in classes.values() if found.id not in nested_ids]
     return sorted([*top, *free.values()], key=lambda found: (found.file, found.line))
 
 

@@ -51,6 +51,7 @@ class CppModel(InAFolder):
                          ["variable Tree::height has no comment", "function Tree::age has no comment"])
         self.assertEqual(self.faults("/// A tree.\nstruct Tree {\n  struct Twig {};\n};"),
                          ["struct Tree::Twig has no comment"])
+        self.assertEqual(self.faults("namespace wood {\nstruct Tree {};\n}"), ["struct wood::Tree has no comment"])
 
     def test_names_that_need_no_comment(self) -> None:
         self.assertEqual(self.faults("/// A tree.\nclass Tree {\n public:\n  Tree() = default;\n  ~Tree();\n"

@@ -351,7 +351,20 @@ const kViews = [
   ['a link', () => choose(page, 'tree → leaf')],
   ['the scene', () => choose(page, 'Scene')],
   ['the text', () => page.getByRole('button', { name: 'Text', exact: true }).click(), () => page.getByRole('button', { name: 'Inspector', exact: true }).click()],
-  ...[['export', 'Control+e'], ['keys', '?'], ['models', 'Control+m'], ['files', 'Control+o'], ['a name to save under', 'Control+Shift+s']].map(([name, keys]) => [name, () => page.keyboard.press(keys), () => page.keyboard.press('Escape')]),
+  ...[
+    ['export', 'Control+e', '[role=dialog]'],
+    ['keys', '?', '[role=dialog]'],
+    ['models', 'Control+m', '.model'],
+    ['files', 'Control+o', '.file'],
+    ['a name to save under', 'Control+Shift+s', '[role=dialog]'],
+  ].map(([name, keys, shown]) => [
+    name,
+    async () => {
+      await page.keyboard.press(keys);
+      await page.locator(shown).first().waitFor(); // lists come from the server
+    },
+    () => page.keyboard.press('Escape'),
+  ]),
 ];
 
 test('axe finds nothing serious, light and dark', async () => {

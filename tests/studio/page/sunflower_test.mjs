@@ -84,7 +84,7 @@ async function give_rows(page, at, said, ...names) {
       if (await at_path(page, below(at, row.name)).isVisible()) await hand.give(below(at, row.name), row, said[row.name]);
       else waiting.push(row);
     }
-    assert.ok(waiting.length < rows.length || round < 20, `no rows for ${waiting.map((one) => one.name)} of ${at}`);
+    assert.ok(waiting.length < rows.length || round < 100, `no rows for ${waiting.map((one) => one.name)} of ${at}`);
     if (waiting.length === rows.length) await frames(page);
     rows = waiting;
   }

@@ -189,7 +189,7 @@ export async function kept_work(page, name) {
 
 /// Waits until the browser keeps the present text and the edits that wait for the server.
 export async function kept(page) {
-  for (;;) {
+  for (const begun = Date.now(); Date.now() - begun < kLongest; ) {
     const work = await kept_work(page);
     const is_kept = (known) => {
       const { text, waiting } = window.studio.document.state.get();
@@ -198,6 +198,7 @@ export async function kept(page) {
     if (await page.evaluate(is_kept, work && { text: work.text, waiting: work.waiting.length })) return;
     await frames(page, 1);
   }
+  throw new Error(`the browser does not keep the text: ${JSON.stringify(await kept_work(page))}`);
 }
 
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);

@@ -15,6 +15,8 @@ import { day_text, days_of_year, hour_text } from './sun_math.ts';
 import type { SunActions } from './sun_state.ts';
 import { kNoLatitude, place_of, said_of, with_place, with_time, year_of } from './sun_state.ts';
 
+const kDusk = -10; // degrees: a sun below the horizon is no usual value of the row
+
 export function SunFields(props: SunActions): ReactElement {
   const { scene, state } = props;
   const page = use_page();
@@ -37,6 +39,7 @@ export function SunFields(props: SunActions): ReactElement {
           <SunField
             {...props}
             path="scene.sun.altitude"
+            low={kDusk}
             label="Altitude"
             unit="°"
             value={state.place.altitude}
@@ -101,6 +104,7 @@ interface SunFieldProps extends SunActions {
   said?: string;
   path: string; // of the row in the document
   most?: number; // a maximum that is lower than the row's
+  low?: number; // the slider's lowest value, if it is lower than usual values
   value: number;
   step: number;
   values: (value: number) => Record<string, Json>;
@@ -112,6 +116,7 @@ function SunField({
   said,
   path,
   most,
+  low,
   value,
   step,
   values,
@@ -129,13 +134,20 @@ function SunField({
     commit: (one: number) => commit(values(limit(one))),
     cancel,
   };
-  const [low, high] = slider_range(legal, value);
+  const [usual_low, high] = slider_range(legal, value);
   const ends = hard_range(legal);
   return (
     <div className="sun-field">
       <span className="sun-field-name">{label}</span>
       <div className="sun-slider">
-        <Slider {...acts} label={`${label} of the sun, slider`} value={value} low={low} high={high} step={step} />
+        <Slider
+          {...acts}
+          label={`${label} of the sun, slider`}
+          value={value}
+          low={Math.min(low ?? usual_low, usual_low)}
+          high={high}
+          step={step}
+        />
         <span className="sun-ends" data-limits={`${ends.low} ${ends.high}`}>
           {ends.low} to {ends.high}
         </span>

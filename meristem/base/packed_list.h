@@ -20,7 +20,7 @@ template <std::size_t kWidth>
 class PackedRows {
  public:
   static_assert(kWidth <= 64);
-  using Row = std::array<std::uint32_t, kWidth>;
+  using Row = std::array<std::uint32_t, kWidth>;  ///< an item in words
 
   /// Packs at least one row.
   explicit PackedRows(std::span<const Row> rows) : count_(static_cast<std::uint32_t>(rows.size())) {
@@ -83,8 +83,8 @@ class PackedList {
  public:
   static constexpr std::size_t kTogether = 256;  ///< maximum number of items in a chunk
 
-  std::size_t size() const { return packed_ + tail_.size(); }
-  bool empty() const { return size() == 0; }
+  std::size_t size() const { return packed_ + tail_.size(); }  ///< number of items
+  bool empty() const { return size() == 0; }                   ///< true without items
   /// Returns the heap memory, bytes.
   std::uint64_t bytes() const {
     std::uint64_t sum = chunks_.capacity() * sizeof(Chunk) + tail_.capacity() * sizeof(Item);

@@ -15,6 +15,7 @@ namespace meristem {
 /// that was set before stays in force.
 class ReadingStop {
  public:
+  /// Begins to stop readers. The progress must outlive the object.
   explicit ReadingStop(const Progress* progress);
   ~ReadingStop();
   ReadingStop(const ReadingStop&) = delete;
@@ -34,6 +35,7 @@ class ReadingStop {
 /// Calls ReadingStop::check() after some steps of a loop. A step is one line, row, number or triangle.
 class StopCounter {
  public:
+  /// Counts a step. Throws Cancelled if the readers of this thread were asked to stop.
   void step() {
     if (++steps_ % kStepsBetweenChecks == 0) ReadingStop::check();
   }

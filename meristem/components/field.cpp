@@ -70,8 +70,9 @@ ComponentType field_component() {
           [](const Field& field, const KnownMembers& known) {
             if (known.varies(field.gaps)) return MinimumCounts();
             const double sites = 1.0 * field.rows * field.plants;
-            // The number of plants is binomial. Ten standard deviations below the mean are certain.
-            const double below = 10 * std::sqrt(sites * field.gaps * (1 - field.gaps));
+            // The number of gaps is binomial. Ten standard deviations above the mean are certain, and ten more if gaps
+            // are so rare that their number has a long tail.
+            const double below = field.gaps > 0 ? 10 * std::sqrt(sites * field.gaps * (1 - field.gaps)) + 10 : 0;
             return MinimumCounts{.children = std::max(0.0, std::floor((1 - field.gaps) * sites - below))};
           },
   });

@@ -73,9 +73,9 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
   out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
 }
 
-/// If leaves differ, each row has at least half of a quad.
+/// If leaves differ, at least two triangles of each are certain: rows where the outline is 0 have none.
 double minimum_triangles(const Leaf& leaf, const KnownMembers& known) {
-  if (known.varies(leaf.blade)) return leaf.blade.edge == LeafBlade::Edge::shape ? leaf.blade.rows : 2;
+  if (known.varies(leaf.blade)) return 2;
   const SharedNumbers shared(leaf, [](const double&) { return false; });
   return static_cast<double>(make_leaf_blade(shared_blade(leaf.blade, shared)).triangle_count());
 }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
+#include "meristem/shape/flat/cut_polygon.h"
 
 namespace meristem {
 
@@ -20,7 +21,8 @@ namespace {
 constexpr double kShareOfGrid = 0.7;  // default distance, as a share of the distance in a square grid
 constexpr double kThrows = 40;        // trials per site of an area
 constexpr double kMostThrows = 200'000'000;
-constexpr double kRounding = 1e-6;  // rounding of a line's corners, as a share of its length
+constexpr std::size_t kFewCorners = 1000;  // of polygons whose sites are counted before growth
+constexpr double kRounding = 1e-6;         // rounding of a line's corners, as a share of its length
 
 const ParameterTable& area_table() {
   static const ParameterTable table =
@@ -361,6 +363,8 @@ void expand(const Places& places, const Site& site, Emitter& out) {
 /// Returns the number of sites of an area that are certain to be found, except by an unlikely chance. As long as the
 /// circles around the sites cover less than half of the area, every second point within it is a site.
 double fewest_sites(const PlantedArea& area) {
+  // Parts that a polygon covers twice lie outside, so its area is not known.
+  if (area.polygon.size() > kFewCorners || crosses_itself({area.polygon.begin(), area.polygon.end()})) return 0;
   const double wanted = sites_of(area), distance = distance_of(area), surface = doubled_area(area.polygon) / 2;
   const double free = distance > 0 ? std::floor(surface / (2 * kPi * distance * distance)) : wanted;
   const double found = std::min(kThrows * wanted, kMostThrows * filled_share(area)) / 4;

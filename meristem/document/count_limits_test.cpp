@@ -162,6 +162,8 @@ TEST(CountLimits, NeverMoreTrianglesAreCountedThanThereAre) {
        false},
       {R"("type": "leaf", "rows": 30, "width": [0.01, 0.5], "polygon": [[0.9, 0.4], [0.2, 0.5], [1, 0.6]])", false},
       {R"("type": "leaf", "waves": 5, "curl": [0, 9])", false},
+      {R"("type": "leaf", "rows": 256, "length": [0.05, 0.1], "outline": {"curve": [[0, 1], [0.1, 0], [1, 0]]})",
+       false},
       {R"("type": "revolution", "silhouette": [[0, 0], [0.1, 0.1], [0, 0.2]])", true},
       {R"("type": "revolution", "silhouette": [[0.1, 0], [0.2, 0.1]], "kind": "linear", "sweep": 90)", true},
       {R"("type": "needles", "count": 20, "fascicle": 2, "sides": 3, "axis_radius": 0)", true},
@@ -239,6 +241,10 @@ TEST(CountLimits, ScatteredPlacesAreCounted) {
   EXPECT_EQ(area(11, R"(, "distance": 0)").size(), 1U);
   EXPECT_EQ(area(40).size(), 1U) << "at least a third of the sites are found";
   EXPECT_EQ(area(40, R"(, "distance": 2)"), kCancelled) << "the distance leaves few sites";
+  EXPECT_EQ(outcome(text(R"("type": "places", "area": {"density": 40, "polygon": [[0, 0], [10, 0], [10, 10], [0, 10],
+                                                                               [0, 0], [10, 0], [10, 10], [0, 10]]})")),
+            kCancelled)
+      << "what a polygon covers twice lies outside";
   const auto field = [&](const std::string& gaps) {
     return outcome(text(R"("type": "field", "rows": 100, "plants": 20, "gaps": )" + gaps));
   };

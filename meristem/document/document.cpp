@@ -489,6 +489,7 @@ Document read_document(std::string text, const std::string& file, const Registry
   try {
     read_into(document, std::move(text), file, registry, options);
   } catch (const Cancelled&) {
+    document.scene = Scene();  // may hold trees of rays, which must not be freed while the program ends
     free_later(std::move(document));
     throw;
   }

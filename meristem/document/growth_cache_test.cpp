@@ -195,4 +195,19 @@ TEST(GrowthCache, ModelsGiveTheSameBytesWhateverChangesBefore) {
   }
 }
 
+/// A component that a grammar places is missing after an edit: the cached growth before does not hide it.
+TEST(GrowthCache, APlacedComponentThatIsTakenAwayIsMissed) {
+  const auto text = [](const std::string& other) {
+    return R"j({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 0,
+      "grammar": "#symbols leaf\n#axiom F~A~B\n#rules\nA -> leaf\nB -> leaf\n"},
+      "leaf": {"type": "leaf"}, "B": {"type": "leaf"})j" +
+           other + "}}";
+  };
+  GrowthCache cache;
+  Progress progress;
+  grow_document(read(text(R"(, "A": {"type": "leaf"})")), progress, {.cache = &cache});
+  EXPECT_THROW(grow_document(read(text("")), progress, {.cache = &cache}), InputError);
+  EXPECT_THROW(grow_document(read(text("")), progress), InputError);
+}
+
 }  // namespace meristem::growth_cache_test

@@ -103,7 +103,6 @@ void BatchResult::release_sites() {
     block.child_sites = SiteList();
     block.branch_sites = SiteList();
     block.named_sites = SiteList();
-    block.site_names = std::vector<std::uint32_t>();  // assigning {} would keep the memory
   }
 }
 

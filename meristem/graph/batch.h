@@ -39,7 +39,8 @@ struct BatchResult {
   int growth_steps = 0;       ///< largest number of growth steps of an instance, if known
   bool has_sites = true;      ///< false: the sites for children were released, because the cache keeps the children's
 
-  /// Frees the sites for children. Call it when they are not needed again.
+  /// Frees the sites for children. Call it when they are not needed again. Keeps the names of placed components, which
+  /// are checked whenever the result is used.
   void release_sites();
   std::uint64_t bytes() const;
   /// Returns the heap memory, bytes, without the sites for children. limits.instances limits the sites, and without a

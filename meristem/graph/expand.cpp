@@ -125,7 +125,8 @@ class Expansion {
 
  private:
   void walk() {
-    require_bounded_counts(graph_, scene_, will_mesh_);
+    const bool will_place = !tree_ && counts_.empty() && !clocks_ && wish_ == nullptr;
+    require_bounded_counts(graph_, scene_, will_place, will_mesh_);
     surroundings_ = fingerprint_of_surroundings();
     Site root;
     root.key = RandomKey(graph_.seed);

@@ -86,7 +86,7 @@ class Forecast {
   }
 
   /// Returns a fault for each limit that is passed.
-  std::vector<Diagnostic> faults(bool will_mesh) const {
+  std::vector<Diagnostic> faults(bool will_place, bool will_mesh) const {
     const Limits& limits = graph_.limits;
     std::vector<Diagnostic> faults;
     check(instances_, {.what = "instances", .limit = limits.instances, .limit_name = "instances"}, faults);
@@ -95,11 +95,13 @@ class Forecast {
     if (will_mesh) {
       check(triangles(), {.what = "triangles", .limit = limits.triangles, .limit_name = "triangles"}, faults);
     }
-    check(other_plants(),
-          {.what = "different plants of other documents",
-           .limit = kMaxVariants,
-           .expected = fmt::format("at most {}: \"variants\", or one \"seed\"", kMaxVariants)},
-          faults);
+    if (will_place) {
+      check(other_plants(),
+            {.what = "different plants of other documents",
+             .limit = kMaxVariants,
+             .expected = fmt::format("at most {}: \"variants\", or one \"seed\"", kMaxVariants)},
+            faults);
+    }
     return faults;
   }
 
@@ -237,10 +239,10 @@ Diagnostic share_diagnostic(const CountShare& share) {
           .path = "components." + share.largest};
 }
 
-void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_mesh) {
+void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_place, bool will_mesh) {
   Forecast forecast(graph, scene);
   forecast.run();
-  std::vector<Diagnostic> faults = forecast.faults(will_mesh);
+  std::vector<Diagnostic> faults = forecast.faults(will_place, will_mesh);
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -29,10 +29,10 @@ struct CountShare {
 Diagnostic share_diagnostic(const CountShare& share);
 
 /// Throws one InputError with each limit that an expansion of the graph is certain to exceed. Counts instances, nodes,
-/// the attraction points of plants that grow together, and different plants of other documents. If `will_mesh` is true,
-/// counts triangles, too. Each message names the total and the component with the largest share. Counts only what is
-/// known before growth (ComponentType::minimum_counts and minimum_triangles), so a refused graph would fail in any
-/// case. Takes less than a second.
-void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_mesh);
+/// the attraction points of plants that grow together, if `will_place` is true different plants of other documents, and
+/// if `will_mesh` is true triangles. Each message names the total and the component with the largest share. Counts only
+/// what is known before growth (ComponentType::minimum_counts and minimum_triangles), so a refused graph would fail in
+/// any case. Takes less than a second.
+void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_place, bool will_mesh);
 
 }  // namespace meristem

@@ -22,7 +22,9 @@ struct OrganCodec {
     std::uint64_t bytes() const { return 0; }  ///< heap memory
   };
 
+  /// Writes an organ into a row.
   static void encode(const Organ& organ, Row& row, Side&) { row = std::bit_cast<Row>(organ); }
+  /// Sets an organ to what a row holds.
   static void decode(const Row& row, const Side&, Organ& organ) { organ = std::bit_cast<Organ>(row); }
 };
 

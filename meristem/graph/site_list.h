@@ -26,7 +26,9 @@ struct SiteCodec {
     std::uint64_t bytes() const;  ///< heap memory of the pointers
   };
 
+  /// Writes a site into a row, and what is no number into `side`.
   static void encode(const Site& site, Row& row, Side& side);
+  /// Sets a site to what a row and the side of its chunk hold.
   static void decode(const Row& row, const Side& side, Site& site);
 };
 

@@ -77,8 +77,8 @@ class Signals(cli_case.Case):
                     process.communicate(timeout=60)
                     if process.returncode == -signal.SIGINT:
                         stops.append((time.monotonic() - sent) / whole)
-                # At least one signal came while the program was reading. It ended long before it would have ended alone.
-                self.assertTrue(stops and min(stops) < 0.25, stops)
+                # At least one signal came while the program was reading. The median wait is far shorter than the run.
+                self.assertTrue(stops and sorted(stops)[(len(stops) - 1) // 2] < 0.25, stops)
 
     def test_ignored_signals_stay_ignored(self):
         process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,

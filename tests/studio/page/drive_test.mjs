@@ -352,11 +352,11 @@ const kViews = [
   ['the scene', () => choose(page, 'Scene')],
   ['the text', () => page.getByRole('button', { name: 'Text', exact: true }).click(), () => page.getByRole('button', { name: 'Inspector', exact: true }).click()],
   ...[
-    ['export', 'Control+e', '[role=dialog]'],
-    ['keys', '?', '[role=dialog]'],
+    ['export', 'Control+e', 'dialog'],
+    ['keys', '?', 'dialog'],
     ['models', 'Control+m', '.model'],
     ['files', 'Control+o', '.file'],
-    ['a name to save under', 'Control+Shift+s', '[role=dialog]'],
+    ['a name to save under', 'Control+Shift+s', 'dialog'],
   ].map(([name, keys, shown]) => [
     name,
     async () => {

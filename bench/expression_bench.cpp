@@ -69,14 +69,14 @@ void run_expression(const Expression& expression, Lanes& lanes) {
 
 /// Returns the shortest time of several runs of `work`, in seconds.
 template <typename Work>
-double least_seconds(Work work) {
-  double least = 1e9;
+double min_seconds(Work work) {
+  double min = 1e9;
   for (int attempt = 0; attempt < meristem::bench::sized(200, 1); ++attempt) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    min = std::min(min, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  return least;
+  return min;
 }
 
 void count_lanes(benchmark::State& state) {
@@ -96,7 +96,7 @@ void batched(benchmark::State& state, const Formula& formula) {
   while (state.KeepRunning()) run_expression(expression, lanes);
   count_lanes(state);
   state.counters["to_native"] =
-      least_seconds([&] { run_native(formula, lanes); }) / least_seconds([&] { run_expression(expression, lanes); });
+      min_seconds([&] { run_native(formula, lanes); }) / min_seconds([&] { run_expression(expression, lanes); });
 }
 
 /// One lane per call, as for a component with a single instance.

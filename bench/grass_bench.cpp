@@ -78,11 +78,11 @@ std::vector<std::uint32_t> plain_order(const GrassLeaf& leaf) {
     errors.push_back(is_end ? std::numeric_limits<double>::infinity() : plain_error(leaf, k - 1, k, k + 1));
   }
   while (left.size() > 2) {
-    const auto least = std::min_element(errors.begin(), errors.end()) - errors.begin();
-    order.push_back(left[static_cast<std::size_t>(least)]);
-    left.erase(left.begin() + least);
-    errors.erase(errors.begin() + least);
-    const auto next = static_cast<std::size_t>(least);
+    const auto min = std::min_element(errors.begin(), errors.end()) - errors.begin();
+    order.push_back(left[static_cast<std::size_t>(min)]);
+    left.erase(left.begin() + min);
+    errors.erase(errors.begin() + min);
+    const auto next = static_cast<std::size_t>(min);
     for (const std::size_t i : {next - 1, next}) {
       if (i > 0 && i + 1 < left.size()) errors[i] = plain_error(leaf, left[i - 1], left[i], left[i + 1]);
     }

@@ -102,11 +102,11 @@ class TableReporter : public benchmark::ConsoleReporter {
       const auto counter = run.counters.find(asked.counter);
       if (asked.counter != "ms" && counter == run.counters.end()) continue;
       const double value = asked.counter == "ms" ? milliseconds(run) : double{counter->second.value};
-      const bool is_most = asked.bound == Asked::at_most;
+      const bool is_max = asked.bound == Asked::at_most;
       Figure line = figure;
       line.value = short_number(value) + " " + asked.counter;
-      line.asked = (is_most ? "<= " : ">= ") + short_number(asked.value);
-      line.held = (is_most ? value <= asked.value : value >= asked.value) ? "held" : "NOT HELD";
+      line.asked = (is_max ? "<= " : ">= ") + short_number(asked.value);
+      line.held = (is_max ? value <= asked.value : value >= asked.value) ? "held" : "NOT HELD";
       figures_.push_back(std::move(line));
       is_asked = true;
     }

@@ -85,7 +85,7 @@ std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
 ImplicitBody stem_body(const Skeleton& skeleton, int resolution) {
   const std::vector<AxisIndex> axes = all_axes(skeleton);
   const Surface surface{.resolution = resolution};
-  return make_stem_body(skeleton, axes, surface, find_thickening(skeleton, axes, surface).least_radius);
+  return make_stem_body(skeleton, axes, surface, find_thickening(skeleton, axes, surface).min_radius);
 }
 
 Mesh extract(const ImplicitBody& body, int resolution, bool normals) {

@@ -42,10 +42,10 @@ void levels(benchmark::State& state, const std::string& name) {
   const OutlineOverlap overlap = outline_overlap(grown.meshes, made, {.size = pixels_of_level(level)}, progress);
   state.counters["triangles"] = static_cast<double>(made.triangle_count());
   state.counters["of_before"] = static_cast<double>(made.triangle_count()) / static_cast<double>(before);
-  state.counters["least"] = overlap.least();
+  state.counters["least"] = overlap.min();
   state.counters["mean"] = overlap.mean();
   state.counters["growth"] = overlap.mean_growth();
-  state.counters["worth_a_file"] = fault_of_level(grown.meshes, before, made, level, progress).empty() ? 1 : 0;
+  state.counters["worth_a_file"] = error_of_level(grown.meshes, before, made, level, progress).empty() ? 1 : 0;
 }
 
 void add_models() {

@@ -250,13 +250,13 @@ double seconds(Work work, double (*now)()) {
 /// Returns the shortest time of `work` divided by the shortest time of `reference`, run in turns.
 template <typename Work, typename Reference>
 double ratio(Work work, Reference reference, double (*now)() = clock_seconds) {
-  double least = 1e9;
-  double least_reference = 1e9;
+  double min = 1e9;
+  double min_reference = 1e9;
   for (int run = 0; run < bench::sized(20, 1); ++run) {
-    least = std::min(least, seconds(work, now));
-    least_reference = std::min(least_reference, seconds(reference, now));
+    min = std::min(min, seconds(work, now));
+    min_reference = std::min(min_reference, seconds(reference, now));
   }
-  return least / least_reference;
+  return min / min_reference;
 }
 
 void count_modules(benchmark::State& state) {

@@ -117,12 +117,12 @@ struct Tree {
     }
   }
 
-  bool grow_once(std::size_t most) {
+  bool grow_once(std::size_t max) {
     std::vector<Room> rooms(buds.size());
     field.share_out(buds, rooms, meristem::Progress());
     looks += buds.size();
     const std::size_t before = shoots.size();
-    for (std::size_t k = 0; k < rooms.size() && shoots.size() < most; ++k) {
+    for (std::size_t k = 0; k < rooms.size() && shoots.size() < max; ++k) {
       if (rooms[k].count < kWanted) continue;
       Seeker& bud = buds[k];
       bud.direction = glm::normalize(0.6F * bud.direction + 0.4F * glm::normalize(rooms[k].way) + 1e-3F);

@@ -96,7 +96,7 @@ double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& 
   const std::uint64_t rays = meristem::bench::sized(500, 10);
   const meristem::SurfacePoints places(from);
   const RandomKey key(1);
-  double least = 1e9;
+  double min = 1e9;
   for (int trial = 0; trial < 3; ++trial) {
     const auto begin = std::chrono::steady_clock::now();
     std::uint64_t lit = 0;
@@ -107,9 +107,9 @@ double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& 
     }
     benchmark::DoNotOptimize(lit);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    least = std::min(least, seconds.count() / static_cast<double>(rays));
+    min = std::min(min, seconds.count() / static_cast<double>(rays));
   }
-  return least;
+  return min;
 }
 
 void crown_light(benchmark::State& state) {

@@ -53,26 +53,26 @@ double bytes_in_use() {
 /// A member of the stand that only measures the memory in use.
 class MemoryProbe : public meristem::Grower {
  public:
-  MemoryProbe(int rounds, double& most) : rounds_(rounds), most_(most) {}
+  MemoryProbe(int rounds, double& max) : rounds_(rounds), max_(max) {}
   int step_limit() const override { return rounds_; }
   bool step(meristem::Progress&) override {
-    most_ = std::max(most_, bytes_in_use());
+    max_ = std::max(max_, bytes_in_use());
     return true;
   }
   Skeleton take_skeleton(meristem::Progress&) override { return {}; }
 
  private:
   int rounds_;
-  double& most_;
+  double& max_;
 };
 
-Skeleton grow(const OrganizeParameters& parameters, int trees, float apart, double& most_bytes) {
+Skeleton grow(const OrganizeParameters& parameters, int trees, float apart, double& max_bytes) {
   meristem::Progress progress;
   meristem::Stand stand;
   std::vector<meristem::OrganizeSeed> seeds(static_cast<std::size_t>(trees));
   for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].frame.origin.x = apart * static_cast<float>(k);
   stand.add(make_organizer(stand, seeds, parameters, meristem::RandomKey(1), kOpenScene, {}, "tree"));
-  stand.add(std::make_unique<MemoryProbe>(parameters.iterations + 1, most_bytes));
+  stand.add(std::make_unique<MemoryProbe>(parameters.iterations + 1, max_bytes));
   stand.grow(progress);
   return std::move(stand.take_skeletons(progress)[0]);
 }
@@ -105,12 +105,12 @@ void measure(benchmark::State& state, BudLightModel::Kind kind, int trees, float
   for (auto _ : state) {
     skeleton = Skeleton();
     const double before = bytes_in_use();
-    double most = before;
+    double max = before;
     const auto begin = std::chrono::steady_clock::now();
-    skeleton = grow(wanted, trees, apart, most);
+    skeleton = grow(wanted, trees, apart, max);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     living += living_metamers(skeleton, iterations);
-    bytes = most - before;
+    bytes = max - before;
   }
   const auto metamers = static_cast<double>(skeleton.node_count());
   state.counters["metamers/s"] = benchmark::Counter(living, benchmark::Counter::kIsRate);

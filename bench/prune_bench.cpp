@@ -73,7 +73,7 @@ Operation cut(int at, ShootChoice shoots) {
 
 /// Returns the requested number of labels of shoots with two or three metamers, spread over the tree. Cuts then remove
 /// almost nothing, so the measured time does not include the faster last iteration of a smaller tree.
-std::vector<std::string> twigs(const Skeleton& tree, std::size_t most) {
+std::vector<std::string> twigs(const Skeleton& tree, std::size_t max) {
   const auto& number = tree.extra.find("metamer")->second;
   std::vector<int> borne(tree.node_count(), 1);
   for (auto node = static_cast<meristem::NodeIndex>(tree.node_count()); node-- > 1;) {
@@ -89,8 +89,8 @@ std::vector<std::string> twigs(const Skeleton& tree, std::size_t most) {
     if (tree.axis[node] != 0 && number[node] == 2 && borne[parent] <= 3) found.push_back(own);
   }
   std::vector<std::string> spread;
-  for (std::size_t k = 0; k < std::min(most, found.size()); ++k) {
-    spread.push_back(found[k * found.size() / std::min(most, found.size())]);
+  for (std::size_t k = 0; k < std::min(max, found.size()); ++k) {
+    spread.push_back(found[k * found.size() / std::min(max, found.size())]);
   }
   return spread;
 }

@@ -109,7 +109,7 @@ std::string too_many(std::size_t count) {
 }
 
 /// A fault in each component: an unknown name. Some of the faults are reported with their positions.
-std::string faults(std::size_t count) {
+std::string errors(std::size_t count) {
   std::string all = ",\n  \"links\": [\n";
   for (std::size_t k = 1; k < count; ++k) {
     all += "    [\"c0\", \"d" + number(k) + "\"]" + (k + 1 < count ? ",\n" : "\n");
@@ -271,7 +271,7 @@ MERISTEM_READING(links);
 MERISTEM_READING(chain);
 MERISTEM_READING(drawn);
 MERISTEM_READING(too_many);
-MERISTEM_READING(faults);
+MERISTEM_READING(errors);
 
 }  // namespace
 

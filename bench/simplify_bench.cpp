@@ -111,23 +111,23 @@ double seconds_to_stop(const Mesh& mesh, std::size_t triangles, double whole) {
 
 void run(benchmark::State& state, const Mesh& mesh) {
   const auto wanted = static_cast<std::size_t>(state.range(1));
-  double least = 1e9;
+  double min = 1e9;
   Mesh less;
   for (auto _ : state) {
     Progress progress;
     const double begin = now();
     less = simplify(mesh, {wanted}, progress);
-    least = std::min(least, now() - begin);
+    min = std::min(min, now() - begin);
   }
   const auto triangles = static_cast<double>(mesh.triangle_count());
   state.counters["in"] = triangles;
   state.counters["left"] = static_cast<double>(less.triangle_count());
-  state.counters["triangles/s"] = triangles / least;
+  state.counters["triangles/s"] = triangles / min;
   state.counters["volume"] = volume(less) / volume(mesh);
   state.counters["area"] = area(less) / area(mesh);
   state.counters["closed"] = is_closed(less) ? 1 : 0;
-  state.counters["to_grid"] = least / seconds_of_grid(mesh, 0.05F);
-  state.counters["stop_ms"] = 1e3 * seconds_to_stop(mesh, wanted, least);
+  state.counters["to_grid"] = min / seconds_of_grid(mesh, 0.05F);
+  state.counters["stop_ms"] = 1e3 * seconds_to_stop(mesh, wanted, min);
   state.SetLabel(hash128_hex(std::as_bytes(std::span(less.positions))));
 }
 

@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFaultsPrinted = 100;
+constexpr std::size_t kErrorsPrinted = 100;
 
 struct DatasetCommand {
   std::string plan;    // a plan's file, or the folder of a data set
@@ -63,25 +63,25 @@ void verify(const DatasetCommand& command) {
                            {.root = command.root, .allow_old = command.allow_old});
   }
   for (const std::string& warning : check.warnings) print_status("warning: " + warning);
-  for (std::size_t k = 0; k < check.faults.size() && k < kFaultsPrinted; ++k) print_status(check.faults[k]);
-  if (check.faults.size() > kFaultsPrinted) {
-    print_status(fmt::format("and {} more", check.faults.size() - kFaultsPrinted));
+  for (std::size_t k = 0; k < check.errors.size() && k < kErrorsPrinted; ++k) print_status(check.errors[k]);
+  if (check.errors.size() > kErrorsPrinted) {
+    print_status(fmt::format("and {} more", check.errors.size() - kErrorsPrinted));
   }
   if (!command.quiet) {
     print_status(fmt::format("{}: {} of {} plants, {} failed, {}, {:.1f} MB, {}", folder, check.rows, check.plants,
                              check.failed, counted(check.files, "file"), static_cast<double>(check.bytes) / 1e6,
-                             !check.faults.empty()     ? counted(check.faults.size(), "fault")
+                             !check.errors.empty()     ? counted(check.errors.size(), "fault")
                              : !check.warnings.empty() ? "as written as far as it was checked"
                                                        : "all as written"));
   }
   // One fault is the missing hashes themselves.
-  if (check.is_old && !command.allow_old && check.faults.size() == 1) {
+  if (check.is_old && !command.allow_old && check.errors.size() == 1) {
     throw MachineError(
         fmt::format("the tables of '{0}' could not be checked; --allow-old accepts them as they are, and 'meristem "
                     "dataset {0}' adds hashes of them as they are now",
                     folder));
   }
-  if (!check.faults.empty()) {
+  if (!check.errors.empty()) {
     throw MachineError(fmt::format(
         "'{0}' is not what its manifest says; meristem dataset PLAN -o {0} --repair makes again what is wrong",
         folder));
@@ -100,8 +100,8 @@ DatasetPlan plan_of(const DatasetCommand& command) {
     try {
       return read_dataset_plan(begun_plan_text(command.plan), file, components(),
                                {.models = models_folder(), .root = command.root});
-    } catch (const InputError& fault) {
-      print_diagnostics(fault.diagnostics());
+    } catch (const InputError& error) {
+      print_diagnostics(error.diagnostics());
       throw MachineError(
           fmt::format("'{0}' cannot be repaired from the folder alone: its plan or a document cannot be read any more; "
                       "the plan that "
@@ -150,10 +150,10 @@ void make_all(DatasetFolder& folder, const DatasetPlan& plan, TerminalProgress& 
 }
 
 void tell_made(const std::string& path, std::uint64_t plants, std::uint64_t found,
-               const std::vector<std::string>& faults, std::uint64_t fault_count) {
-  for (const std::string& fault : faults) print_status(fault);
-  if (fault_count > faults.size()) print_status(fmt::format("and {} more", fault_count - faults.size()));
-  if (fault_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
+               const std::vector<std::string>& errors, std::uint64_t error_count) {
+  for (const std::string& error : errors) print_status(error);
+  if (error_count > errors.size()) print_status(fmt::format("and {} more", error_count - errors.size()));
+  if (error_count > 0) print_status(fmt::format("{}: what was not right was made again", path));
   print_status(fmt::format("{}: {}{}", path, counted(plants, "plant"),
                            found > 0 ? fmt::format(", {} of them were there", found) : ""));
 }
@@ -174,8 +174,8 @@ void make(const DatasetCommand& command) {
     throw InputError(Diagnostic{.message = "no folder for the data set is given", .expected = "-o DIR"});
   }
   const ThreadLimit threads = limited_threads(command.threads, command.quiet);
-  std::vector<std::string> faults;
-  std::uint64_t fault_count = 0;
+  std::vector<std::string> errors;
+  std::uint64_t error_count = 0;
   std::uint64_t found = 0;
   std::string failed;
   {
@@ -184,14 +184,14 @@ void make(const DatasetCommand& command) {
                                    : command.repair ? DatasetOpening::repair
                                                     : DatasetOpening::resume;
     DatasetFolder folder(plan, path, opening, terminal.progress());
-    faults = folder.faults();
-    fault_count = folder.fault_count();
+    errors = folder.errors();
+    error_count = folder.error_count();
     found = folder.found();
     make_all(folder, plan, terminal);
     folder.finish(terminal.progress());
     if (folder.failed() > 0) failed = fmt::format("{}: {}", path, folder.failed_text());
   }
-  if (!command.quiet) tell_made(path, plan.count(), found, faults, fault_count);
+  if (!command.quiet) tell_made(path, plan.count(), found, errors, error_count);
   if (!failed.empty()) throw PartlyDone(failed);
 }
 

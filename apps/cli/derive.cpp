@@ -159,7 +159,7 @@ void add_derive(CLI::App& app, Run& run) {
       ->type_name("FILE");
   command->add_option("--steps", options->steps, "Number of steps to derive; by default, the grammar's #steps")
       ->type_name("N")
-      ->check(CLI::Range(0, kMostSteps));
+      ->check(CLI::Range(0, kMaxSteps));
   command
       ->add_option("--time", options->time,
                    "Time to which a grammar develops whose rules have lives; by default, the grammar's #time")

@@ -81,10 +81,10 @@ void require_within(const std::string& root, const std::string& file) {
 }
 
 CLI::Validator is_seed() {
-  const auto fault = [](const std::string& text) {
+  const auto error = [](const std::string& text) {
     return seed_of_text(text) ? "" : fmt::format("'{}' is not a seed; expected {}", text, kSeedRange);
   };
-  return CLI::Validator(fault, "");
+  return CLI::Validator(error, "");
 }
 
 ThreadLimit limited_threads(int threads, bool quiet) {

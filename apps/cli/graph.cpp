@@ -16,13 +16,13 @@ namespace meristem::cli {
 
 namespace {
 
-constexpr std::uint64_t kMostInstances = 20'000;
+constexpr std::uint64_t kMaxInstances = 20'000;
 
 struct GraphOptions {
   DocumentOptions document;
   bool tree = false;
   bool types = false;
-  std::uint64_t most = 200;
+  std::uint64_t max = 200;
   double time = 0;
   std::string output = "-";
 };
@@ -35,7 +35,7 @@ void draw(const GraphOptions& options) {
   if (options.tree) {
     TerminalProgress terminal(options.document.quiet);
     const InstanceTree tree =
-        instance_tree(document.graph, document.scene, options.time, options.most, terminal.progress());
+        instance_tree(document.graph, document.scene, options.time, options.max, terminal.progress());
     drawing = draw_instance_tree(document.graph, tree);
   } else {
     drawing = draw_graph(document.graph, {.shows_types = options.types});
@@ -54,10 +54,10 @@ void add_graph(CLI::App& app, Run& run) {
   command->add_flag("--tree", options->tree, "Draw the i-tree, the tree of all instances, instead");
   command->add_flag("--types", options->types, "Write the type of each component below its name");
   command
-      ->add_option("--most", options->most,
+      ->add_option("--most", options->max,
                    "Greatest number of instances that --tree draws; larger trees end in an error; by default, 200")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, kMostInstances));
+      ->check(CLI::Range(std::uint64_t{1}, kMaxInstances));
   command->add_option("--time", options->time, "Time of the document at which --tree expands it; by default, 0")
       ->type_name("SECONDS");
   command->add_option("-o,--output", options->output, "File to write; by default, standard output")->type_name("FILE");

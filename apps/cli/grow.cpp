@@ -71,8 +71,8 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     }
   }
   const auto has_textures = [](const Format* format) { return format->has_textures(); };
-  if (options.cards && (*options.cards < 0 || *options.cards > kMostCards)) {
-    throw wrong_lod(fmt::format("--cards cannot be {}", *options.cards), fmt::format("0 to {} cards", kMostCards));
+  if (options.cards && (*options.cards < 0 || *options.cards > kMaxCards)) {
+    throw wrong_lod(fmt::format("--cards cannot be {}", *options.cards), fmt::format("0 to {} cards", kMaxCards));
   }
   if (options.cards.value_or(0) > 0) {
     if (std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end()) {
@@ -113,10 +113,10 @@ void check_animated(const GrowOptions& options, bool has_time) {
   if (options.nodes) throw cannot_animate("--nodes");
   if (options.obstacles) throw cannot_animate("--obstacles");
   for (const std::string& output : options.outputs) check_moving_file(output);
-  const int most = static_cast<int>(kMostKeys);
-  if (options.keys && (*options.keys < 2 || *options.keys > most)) {
+  const int max = static_cast<int>(kMaxKeys);
+  if (options.keys && (*options.keys < 2 || *options.keys > max)) {
     throw InputError(Diagnostic{.message = fmt::format("--keys cannot be {}", *options.keys),
-                                .expected = fmt::format("2 to {} keys", most)});
+                                .expected = fmt::format("2 to {} keys", max)});
   }
 }
 
@@ -227,7 +227,7 @@ void grow(const GrowOptions& options, bool has_time) {
   const double time = film::checked_time(options.time);
   check_animated(options, has_time);
   if (options.animated) return grow_animated(options);
-  const GrowthView view{checked_step(options.step), needed_wish(formats)};
+  const GrowthView view{checked_step(options.step), needed_request(formats)};
   check_options(options, formats);
   const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
@@ -281,7 +281,7 @@ void add_grow(CLI::App& app, Run& run) {
           "--keys", options->keys,
           fmt::format("Number of times at which an animated file holds the plant, from {} to {}, between which "
                       "it moves evenly; by default {}",
-                      2, kMostKeys, kUsualKeys))
+                      2, kMaxKeys, kUsualKeys))
       ->type_name("N");
   add_step_option(*command, options->step);
   command

@@ -139,9 +139,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe fails like any other write
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
+  } catch (const CLI::Success& request) {
     std::ostringstream text;  // text of --help or --version
-    app.exit(wish, text, text);
+    app.exit(request, text, text);
     return run_and_report([&text] { fmt::print("{}", text.str()); });
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);

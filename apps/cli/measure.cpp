@@ -104,15 +104,15 @@ void check_kind(const MeasureCommand& command) {
 void check_only(const MeasureCommand& command) {
   std::vector<std::string> names;
   for (const MeasureRow& row : measure_rows()) names.emplace_back(row.name);
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
   for (const std::string& name : command.report.only) {
     if (std::ranges::find(names, name) != names.end()) continue;
-    faults.push_back({.message = fmt::format("there is no measure '{}'", name),
+    errors.push_back({.message = fmt::format("there is no measure '{}'", name),
                       .expected = "a name that --list prints",
                       .nearest = nearest_name(name, names),
                       .path = "--only"});
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  if (!errors.empty()) throw InputError(std::move(errors));
 }
 
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {

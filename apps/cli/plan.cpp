@@ -72,12 +72,13 @@ void plan(const PlanOptions& options) {
     FileSet files;
     GrowthCache cache;
     // One growth is shown before and after its plan. Both files' records are made in it.
-    TraceWish wish = after != nullptr ? TraceWish{TracePart::outcome} : TraceWish{};
-    for (const Format* format : {before, after}) wish = wish | (format != nullptr ? format->wish : TraceWish{});
+    TraceRequest request = after != nullptr ? TraceRequest{TracePart::outcome} : TraceRequest{};
+    for (const Format* format : {before, after})
+      request = request | (format != nullptr ? format->request : TraceRequest{});
     const auto grow = [&](const Format* const& format, bool outcome) {
       const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
       return grow_document(planned, progress,
-                           {.up_to = needed_part(formats), .cache = &cache, .view = {{}, wish, outcome}});
+                           {.up_to = needed_part(formats), .cache = &cache, .view = {{}, request, outcome}});
     };
     GrownDocument grown = grow(before, false);
     records = operation_records(*ExpandedPlant(grown.plant, planned.graph.limits, progress));

@@ -74,9 +74,9 @@ struct Picture {
 };
 
 void check_turntable(const RenderOptions& options, const std::vector<double>& times) {
-  if (options.turntable && (*options.turntable < 1 || *options.turntable > film::kMostFrames)) {
+  if (options.turntable && (*options.turntable < 1 || *options.turntable > film::kMaxFrames)) {
     throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
-                                .expected = fmt::format("1 to {} frames", film::kMostFrames)});
+                                .expected = fmt::format("1 to {} frames", film::kMaxFrames)});
   }
   if (options.turntable && times.size() > 1) {
     throw InputError(
@@ -268,7 +268,7 @@ class PictureTaker {
     grown_time_ = time;
     other_.reset();
     const Document& document = document_at(document_, time, other_, &terminal_.progress());
-    const GrowthView view{checked_step(chosen_.step), wish_for_overlays(options_.overlays)};
+    const GrowthView view{checked_step(chosen_.step), request_for_overlays(options_.overlays)};
     grown_ = grow_document(document, terminal_.progress(),
                            {.time = time,
                             .detail = chosen_.detail,
@@ -380,9 +380,9 @@ void render(const RenderOptions& options) {
     throw InputError(Diagnostic{.message = fmt::format("--lod cannot be {}", options.detail.level),
                                 .expected = fmt::format("a level from 0 to {}", kCoarsestDetail)});
   }
-  if (options.cards && (*options.cards < 1 || *options.cards > kMostCards)) {
+  if (options.cards && (*options.cards < 1 || *options.cards > kMaxCards)) {
     throw InputError(Diagnostic{.message = fmt::format("--cards cannot be {}", *options.cards),
-                                .expected = fmt::format("1 to {} cards", kMostCards)});
+                                .expected = fmt::format("1 to {} cards", kMaxCards)});
   }
   checked_step(options.step);
   const Document document = open_document(options.document);

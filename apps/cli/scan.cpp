@@ -107,16 +107,16 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
     return plan_scan(request, seed);
   } catch (const InputError& error) {
     if (!file) throw;
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) {
-      if (!fault.path.starts_with(kInstrumentPath)) continue;
-      const std::string whole = fault.path;
-      fault.path = fault.path.substr(kInstrumentPath.size());
-      locate_diagnostics(file->text, std::span(&fault, 1));
-      if (fault.line > 0) fault.file = file->path;
-      fault.path = whole;
+    std::vector<Diagnostic> errors = error.diagnostics();
+    for (Diagnostic& error : errors) {
+      if (!error.path.starts_with(kInstrumentPath)) continue;
+      const std::string whole = error.path;
+      error.path = error.path.substr(kInstrumentPath.size());
+      locate_diagnostics(file->text, std::span(&error, 1));
+      if (error.line > 0) error.file = file->path;
+      error.path = whole;
     }
-    throw InputError(std::move(faults));
+    throw InputError(std::move(errors));
   }
 }
 

@@ -39,9 +39,9 @@ void write_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 /// Returns a text that is cut to the length of a screen.
 std::string shortened(const std::string& text) {
-  constexpr std::size_t kMost = 2000;
-  std::string out = text.substr(0, kMost);
-  if (text.size() > kMost) {
+  constexpr std::size_t kMax = 2000;
+  std::string out = text.substr(0, kMax);
+  if (text.size() > kMax) {
     while (!out.empty() && (static_cast<unsigned char>(text[out.size()]) & 0xC0U) == 0x80U) out.pop_back();
     out += " ...";
   }

@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMaker = "ffmpeg";
-constexpr std::uint64_t kMostOfLog = 4'000'000;  // bytes
+constexpr std::uint64_t kMaxOfLog = 4'000'000;  // bytes
 constexpr std::chrono::milliseconds kBetweenWaits{20};
 
 /// The program in the folders of PATH; empty where there is none.
@@ -139,7 +139,7 @@ void make_film(const std::string& folder, std::size_t frames, double fps, const 
   words.push_back(made);
   if (const int code = run(words, log, progress); code != 0) {
     throw MachineError(fmt::format("{}: ffmpeg has failed with code {}: {}", path, code,
-                                   fmt::join(lines_of(read_file(log, kMostOfLog)), "; ")));
+                                   fmt::join(lines_of(read_file(log, kMaxOfLog)), "; ")));
   }
   std::error_code error;
   fs::rename(made, path, error);

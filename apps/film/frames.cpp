@@ -63,8 +63,8 @@ std::vector<double> FrameTimes::all() const {
 std::string wanting(const FrameTimes& times) {
   if (!(times.step > 0)) return "a step above 0";
   if (!(times.to >= times.from)) return "an end that is not before the start";
-  const bool are_few = (times.to - times.from) / times.step + 1e-9 < kMostFrames;
-  return are_few ? "" : fmt::format("at most {} frames", kMostFrames);
+  const bool are_few = (times.to - times.from) / times.step + 1e-9 < kMaxFrames;
+  return are_few ? "" : fmt::format("at most {} frames", kMaxFrames);
 }
 
 FrameTimes frame_times(double length, double fps) {

@@ -9,7 +9,7 @@
 namespace meristem::film {
 
 /// The most pictures that one call writes.
-inline constexpr int kMostFrames = 10'000;
+inline constexpr int kMaxFrames = 10'000;
 
 /// One name for each of `frames` pictures: `oak_000.png`, `oak_001.png`, ... for `oak.png`, with as many digits as the
 /// last needs and at least three. Throws InputError for standard output.
@@ -26,7 +26,7 @@ struct FrameTimes {
   std::vector<double> all() const;
 };
 
-/// What such times must have and these have not: "a step above 0"; empty where they are right. At most kMostFrames
+/// What such times must have and these have not: "a step above 0"; empty where they are right. At most kMaxFrames
 /// times are.
 std::string wanting(const FrameTimes& times);
 
@@ -34,7 +34,7 @@ std::string wanting(const FrameTimes& times);
 FrameTimes frame_times(double length, double fps);
 
 /// The times, in seconds, of "T" or of "A:B:STEP": from A in steps up to B. Throws InputError for other texts, for
-/// steps that lead nowhere and for more than kMostFrames times.
+/// steps that lead nowhere and for more than kMaxFrames times.
 std::vector<double> frame_times(const std::string& text);
 
 /// The time of `--time T`. Throws InputError for numbers that are not finite.

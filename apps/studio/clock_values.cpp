@@ -10,12 +10,12 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostBlocks = 400;  // maximum number of clocks per component; more would overlap when drawn
+constexpr std::size_t kMaxBlocks = 400;  // maximum number of clocks per component; more would overlap when drawn
 
 /// Returns evenly chosen clocks, including the first and the last.
 Value::List blocks_of(std::span<const BegunClock> clocks) {
   Value::List blocks;
-  const std::size_t told = std::min(clocks.size(), kMostBlocks);
+  const std::size_t told = std::min(clocks.size(), kMaxBlocks);
   for (std::size_t k = 0; k < told; ++k) {
     const Clock& clock = clocks[told < 2 ? 0 : k * (clocks.size() - 1) / (told - 1)].clock;
     blocks.push_back(Value::List{clock.start, clock.speed});

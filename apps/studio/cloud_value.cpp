@@ -9,14 +9,14 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostToldPoints = 4000;  // more points would look the same behind an outline
+constexpr std::size_t kMaxToldPoints = 4000;  // more points would look the same behind an outline
 
 /// Returns an even choice of the points, equal for equal points, in which each part of the crown keeps its share.
 std::vector<Vec3> some_of(const std::vector<Vec3>& points) {
-  if (points.size() <= kMostToldPoints) return points;
+  if (points.size() <= kMaxToldPoints) return points;
   std::vector<Vec3> some;
-  some.reserve(kMostToldPoints);
-  for (std::size_t k = 0; k < kMostToldPoints; ++k) some.push_back(points[k * points.size() / kMostToldPoints]);
+  some.reserve(kMaxToldPoints);
+  for (std::size_t k = 0; k < kMaxToldPoints; ++k) some.push_back(points[k * points.size() / kMaxToldPoints]);
   return some;
 }
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostKept = 10;
+constexpr std::size_t kMaxKept = 10;
 constexpr const char* kFolderPrefix = "meristem-studio-";
 
 }  // namespace
@@ -45,7 +45,7 @@ std::uint64_t Downloads::keep(const Draft& draft) {
   const std::lock_guard lock(mutex_);
   const fs::path root(folder());
   std::error_code error;
-  if (kept_.size() == kMostKept) {
+  if (kept_.size() == kMaxKept) {
     fs::remove_all(root / std::to_string(kept_.front()), error);
     kept_.pop_front();
   }

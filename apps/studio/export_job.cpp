@@ -46,13 +46,13 @@ GltfInstances instances_of(const ExportOptions& options) {
 }
 
 /// Returns the grown document. Grows it again if there is no grown plant, or if the format needs records that it lacks.
-GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part, const TraceWish& wish,
-                        Progress& progress) {
+GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part,
+                        const TraceRequest& request, Progress& progress) {
   const bool is_there =
-      source.grown != nullptr && (source.grown->traces.recorded | wish) == source.grown->traces.recorded;
+      source.grown != nullptr && (source.grown->traces.recorded | request) == source.grown->traces.recorded;
   if (!is_there) {
     GrowthView view = source.grown != nullptr ? source.grown->view : GrowthView();
-    view.wish = wish;
+    view.request = request;
     return grow_document(*source.document, progress, {.time = options.time, .up_to = part, .view = view});
   }
   GrownDocument grown{.plant = source.grown->plant};
@@ -71,7 +71,7 @@ void write_text(const std::string& text, const std::string& path) {
 
 void write_levels(const ExportSource& source, const ExportOptions& options, const Format& format,
                   const std::string& path, Progress& progress) {
-  GrownDocument grown = grown_for(source, options, format.needs, format.wish, progress);
+  GrownDocument grown = grown_for(source, options, format.needs, format.request, progress);
   EncodedPictures pictures;
   const FormatOptions how{.instances = instances_of(options), .pictures = &pictures};
   format.write(*source.document, grown, path, how, progress);

@@ -19,7 +19,7 @@ TEST(ExportJob, RecordsTheGrowthForTablesThatTellOfIt) {
   const auto document = std::make_shared<const Document>(read_document(kTree, "tree.json", builtin_components()));
   Progress progress;
   for (const bool is_recorded : {false, true}) {
-    const GrowthView view{{}, is_recorded ? TraceWish{TracePart::points} : TraceWish{}};
+    const GrowthView view{{}, is_recorded ? TraceRequest{TracePart::points} : TraceRequest{}};
     GrownDocument grown = grow_document(*document, progress, {.up_to = GrownPart::plant, .view = view});
     auto shown = std::make_shared<GrownPlant>();
     shown->request.document = document;

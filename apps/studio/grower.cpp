@@ -109,7 +109,7 @@ double share_of(std::uint64_t budget, std::uint64_t all) {
 
 GrowthView ShownParts::view() const {
   if (!is_recorded && !step) return {};
-  return {.step = step, .wish = TraceWish::all(), .of = of};
+  return {.step = step, .request = TraceRequest::all(), .of = of};
 }
 
 void Grower::leave() {
@@ -259,7 +259,7 @@ void Grower::run(const std::string& hash, Stopped if_stopped, Work&& work) {
       send_failure(hash, limit->what(), std::move(members));
     }
   } catch (const InputError& error) {
-    send_failure(hash, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}});
+    send_failure(hash, error.what(), {{"faults", errors_value(error.diagnostics(), {}, "")}});
   } catch (const std::bad_alloc&) {
     send_failure(hash, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}});
   } catch (const std::exception& error) {
@@ -378,7 +378,7 @@ void Grower::show() {
     std::string packet =
         packets_.next({.meshes = meshes.get(),
                        .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
-                       .most_segments = static_cast<std::size_t>(sight.budget()),
+                       .max_segments = static_cast<std::size_t>(sight.budget()),
                        .obstacles = parts.surface ? &obstacles_of(*sight.grown, messages.progress()) : nullptr,
                        .scene = &sight.grown->document->scene},
                       {.hash = sight.grown->request.hash,
@@ -421,10 +421,10 @@ Value::Object Grower::counts_value(const GrownPlant& grown) const {
   counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
   counts.emplace_back("components", whole != nullptr ? component_counts(*whole) : Value());
   counts.emplace_back("step", grown.traces.shown_step());
-  counts.emplace_back("steps", grown.view.wish.any() ? Value(grown.traces.last_step) : Value());
+  counts.emplace_back("steps", grown.view.request.any() ? Value(grown.traces.last_step) : Value());
   Value::Object growing;
   for (const ComponentSteps& one : grown.traces.steps) growing.emplace_back(one.component, one.last_step);
-  counts.emplace_back("growing", grown.view.wish.any() ? Value(std::move(growing)) : Value());
+  counts.emplace_back("growing", grown.view.request.any() ? Value(std::move(growing)) : Value());
   return counts;
 }
 

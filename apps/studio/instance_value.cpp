@@ -34,15 +34,15 @@ float distance_squared(const Frame& a, const Frame& b) {
 /// Returns the number of the component's organ whose frame is nearest.
 std::optional<std::uint64_t> nearest_organ(const Plant& plant, const std::string& component, const Frame& frame) {
   std::optional<std::uint64_t> nearest;
-  float least = std::numeric_limits<float>::max();
+  float min = std::numeric_limits<float>::max();
   std::uint64_t number = 0;
   std::vector<bool> is_wanted;
   for (const OrganPrototype& prototype : plant.prototypes) is_wanted.push_back(prototype.component == component);
   for (const Organ& organ : plant.organs) {
     if (!is_wanted[organ.prototype]) continue;
     const float distance = distance_squared(organ.frame, frame);
-    if (distance < least) {
-      least = distance;
+    if (distance < min) {
+      min = distance;
       nearest = number;
     }
     ++number;
@@ -86,7 +86,7 @@ Value::Object described(const std::string& component, const FoundInstance& found
 
 /// Returns the facts about a part of the plant, including its shoot if it is on one. Returns null if the instance is
 /// unknown.
-Value told_instance(const GrownPlant& grown, const InstanceWish& request, const ShootPlace& place, Progress& progress,
+Value told_instance(const GrownPlant& grown, const InstanceQuery& request, const ShootPlace& place, Progress& progress,
                     GrowthCache& cache) {
   const Document& document = *grown.document;
   const auto found = find_instance(document.graph, document.scene, grown.time, request, progress, &cache, grown.view);
@@ -102,15 +102,15 @@ Value told_instance(const GrownPlant& grown, const InstanceWish& request, const 
 
 Value told_shoot(const GrownPlant& grown, const std::string& component, const ShootPlace& place, Progress& progress,
                  GrowthCache& cache) {
-  const InstanceWish request{
-      .component = component, .of = InstanceWish::Of::stem, .number = place.stem->part(place.axis).instance};
+  const InstanceQuery request{
+      .component = component, .of = InstanceQuery::Of::stem, .number = place.stem->part(place.axis).instance};
   return told_instance(grown, request, place, progress, cache);
 }
 
 std::optional<FoundInstance> first_instance(const GrownPlant& grown, const std::string& component, Progress& progress,
                                             GrowthCache& cache) {
   const Document& document = *grown.document;
-  const InstanceWish request{.component = component, .of = InstanceWish::Of::instance};
+  const InstanceQuery request{.component = component, .of = InstanceQuery::Of::instance};
   return find_instance(document.graph, document.scene, grown.time, request, progress, &cache, grown.view);
 }
 

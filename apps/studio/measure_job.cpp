@@ -70,7 +70,7 @@ Value SweepMaker::one(const SweepSource& source, const SweepRequest& request, do
     const Plant plant = grown_plant(document, source.time, &cache_, progress);
     told.emplace_back("measures", measured_plant(document, plant, {.light = request.light}, progress));
   } catch (const InputError& error) {
-    told.emplace_back("faults", faults_value(error.diagnostics(), {}, ""));
+    told.emplace_back("faults", errors_value(error.diagnostics(), {}, ""));
   }
   return told;
 }

@@ -44,14 +44,14 @@ std::string path_below_root(const RootFolder& root, const std::string& folder, c
 NamedFileCopies copy_named_files(const Document& document, const std::string& source_root, const RootFolder& root,
                                  const std::string& folder) {
   const Limits& limits = document.graph.limits;
-  const std::uint64_t most_bytes = std::max(limits.file_bytes, limits.document_bytes);
+  const std::uint64_t max_bytes = std::max(limits.file_bytes, limits.document_bytes);
   NamedFileCopies copies;
   for (const auto& [relative, source] : files_by_path(document)) {
     try {
       const std::string target = path_below_root(root, folder, relative);
       if (std::error_code error; fs::equivalent(source, root.absolute(target), error)) continue;
       FileAccess{.root = source_root}.require_within(source);
-      if (root.add_file(target, read_file(source, most_bytes))) copies.copied.push_back(relative);
+      if (root.add_file(target, read_file(source, max_bytes))) copies.copied.push_back(relative);
     } catch (const std::exception& error) {
       copies.omitted.push_back({relative, error.what()});
     }

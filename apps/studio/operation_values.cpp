@@ -20,13 +20,13 @@ namespace meristem::studio {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = 2000;   // maximum number of positions per operation
-constexpr std::size_t kMostCourse = 60000;  // maximum number of points of their shoots
+constexpr std::size_t kMaxPlaces = 2000;   // maximum number of positions per operation
+constexpr std::size_t kMaxCourse = 60000;  // maximum number of points of their shoots
 
-/// Returns the points of each axis of a stem that one of these records names, in its present state; at most `most`
+/// Returns the points of each axis of a stem that one of these records names, in its present state; at most `max`
 /// points.
 std::map<ShootName, Value::List> courses_of(const Stem& stem, const std::vector<OperationRecord>& records,
-                                            std::size_t& most) {
+                                            std::size_t& max) {
   std::map<ShootName, Value::List> courses;
   for (const OperationRecord& record : records) courses[{record.part, record.tree, record.shoot}];
   const Skeleton& skeleton = stem.skeleton;
@@ -35,14 +35,14 @@ std::map<ShootName, Value::List> courses_of(const Stem& stem, const std::vector<
     const auto found = courses.find(name);
     course_of_axis.push_back(found == courses.end() ? nullptr : &found->second);
   }
-  for (NodeIndex node = 0; node < skeleton.node_count() && most > 0; ++node) {
+  for (NodeIndex node = 0; node < skeleton.node_count() && max > 0; ++node) {
     Value::List* const course = course_of_axis[skeleton.axis[node]];
     if (course == nullptr) continue;
     if (course->empty() && !skeleton.is_root(node)) {
       course->push_back(vector_value(skeleton.position[skeleton.parent[node]]));
     }
     course->push_back(vector_value(skeleton.position[node]));
-    --most;
+    --max;
   }
   return courses;
 }
@@ -69,7 +69,7 @@ Value operations_value(const GrownPlant& grown, const OperationsRequest& request
   std::map<std::tuple<std::string, int, std::string>, double> counts;
   Value::List places;
   std::size_t chosen = 0;
-  std::size_t most = kMostCourse;
+  std::size_t max = kMaxCourse;
   // Each stem has its own trees, and trees of different stems may have equal names.
   for (const Stem& stem : grown.plant.stems) {
     progress.check();
@@ -81,10 +81,10 @@ Value operations_value(const GrownPlant& grown, const OperationsRequest& request
           record.operation == request.operation && (!request.iteration || *request.iteration == record.iteration);
       if (!is_asked) continue;
       ++chosen;
-      if (chosen <= kMostPlaces) told.push_back(record);
+      if (chosen <= kMaxPlaces) told.push_back(record);
     }
     if (told.empty()) continue;
-    const std::map<ShootName, Value::List> courses = courses_of(stem, told, most);
+    const std::map<ShootName, Value::List> courses = courses_of(stem, told, max);
     for (const OperationRecord& record : told) {
       places.push_back(place_value(record, courses.at({record.part, record.tree, record.shoot})));
     }

@@ -82,7 +82,7 @@ Value overlay_parts_value() {
     list.push_back(Value::Object{{"name", std::string(part.name)},
                                  {"title", std::string(part.title)},
                                  {"doc", std::string(part.doc)},
-                                 {"recorded", part.wish.any()}});
+                                 {"recorded", part.request.any()}});
   }
   return list;
 }

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr int kPictureSize = 160;  // length of the longer side, pixels
 constexpr int kPictureQuality = 80;
-constexpr std::uint64_t kMostBytes = 100'000'000;
+constexpr std::uint64_t kMaxBytes = 100'000'000;
 
 struct PackedFile {
   std::string bytes;
@@ -83,7 +83,7 @@ void add_page(const std::string& folder, Pack& pack) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file() || entry.file_size() == 0) continue;
     const std::string name = entry.path().lexically_relative(folder).generic_string();
-    pack[name] = {compressed(read_file(entry.path().string(), kMostBytes)), true};
+    pack[name] = {compressed(read_file(entry.path().string(), kMaxBytes)), true};
   }
 }
 

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestPath = 1000;
-constexpr std::size_t kMostEntries = 5000;  // maximum number of entries of a folder in a list
+constexpr std::size_t kMaxEntries = 5000;  // maximum number of entries of a folder in a list
 
 [[noreturn]] void refuse_outside() { throw Refusal("this lies outside the folder that may be read"); }
 
@@ -88,7 +88,7 @@ std::vector<FolderEntry> RootFolder::list(const std::string& folder) const {
   std::error_code error;
   for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!is_name(name) || entries.size() == kMostEntries) continue;
+    if (!is_name(name) || entries.size() == kMaxEntries) continue;
     try {
       FileAccess{.root = path_}.require_within(entry->path().string());  // links that lead out are not listed
     } catch (const InputError&) {

@@ -52,7 +52,7 @@ using Socket = websocket::stream<beast::tcp_stream>;
 using HttpRequest = http::request<http::empty_body>;
 
 constexpr std::uint16_t kPortsTried = 8;
-constexpr std::uint32_t kMostHeadBytes = 16'384;  // size of a request's head
+constexpr std::uint32_t kMaxHeadBytes = 16'384;  // size of a request's head
 // Any user of this machine can connect. Connections without the secret get few places and little time, so that they
 // cannot keep a page out.
 constexpr std::size_t kMaxUnauthenticated = 32;
@@ -62,9 +62,9 @@ constexpr std::chrono::seconds kHttpPatience{30};            // for one request 
 constexpr std::chrono::milliseconds kAcceptPause{100};       // after the system has refused a connection
 constexpr std::chrono::milliseconds kFarewell{200};          // for closing sockets
 constexpr std::chrono::milliseconds kMaxEnding{800};         // from a signal until the program certainly ends
-constexpr std::size_t kMostWaiting = 64;                     // messages of a page that wait to be handled
-constexpr std::size_t kMostQueuedBytes = 512'000'000;        // for a page that does not read
-constexpr std::uint64_t kMostBeyond = 1'000'000;
+constexpr std::size_t kMaxWaiting = 64;                      // messages of a page that wait to be handled
+constexpr std::size_t kMaxQueuedBytes = 512'000'000;         // for a page that does not read
+constexpr std::uint64_t kMaxBeyond = 1'000'000;
 constexpr std::size_t kMaxQueuedMessages = 64;  // with more messages, progress is not reported
 
 class SocketConnection;
@@ -101,7 +101,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     // The limit is a little higher, so that the session can report which limit a message has exceeded. Larger messages
     // close the socket.
-    socket_.read_message_max(serving_.host.limits.message_bytes + kMostBeyond);
+    socket_.read_message_max(serving_.host.limits.message_bytes + kMaxBeyond);
     socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (error) return self->end();
@@ -115,7 +115,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     if (is_text && queue_.size() >= kMaxQueuedMessages && is_progress(message)) return;
     queued_bytes_ += message.size();
     queue_.emplace_back(is_text, std::move(message));
-    if (queued_bytes_ > kMostQueuedBytes) return close(websocket::close_code::policy_error, "the page does not read");
+    if (queued_bytes_ > kMaxQueuedBytes) return close(websocket::close_code::policy_error, "the page does not read");
     if (queue_.size() == 1) write();
   }
 
@@ -159,7 +159,7 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
 
   /// Reads the next message, unless too many messages wait.
   void read_on() {
-    const bool is_full = waiting_ >= kMostWaiting || waiting_bytes_ > serving_.host.limits.message_bytes;
+    const bool is_full = waiting_ >= kMaxWaiting || waiting_bytes_ > serving_.host.limits.message_bytes;
     if (!is_open_ || is_reading_ || is_full) return;
     is_reading_ = true;
     read();
@@ -265,7 +265,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void read() {
     is_answering_ = false;
     parser_.emplace();
-    parser_->header_limit(kMostHeadBytes);
+    parser_->header_limit(kMaxHeadBytes);
     parser_->body_limit(0);
     // The end is fixed, so that a slow trickle of bytes does not extend it.
     stream_.expires_after(patience());

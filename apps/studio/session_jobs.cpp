@@ -74,7 +74,7 @@ void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, AskedJobs& job
     outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
                             : refused_text(id, "cancelled", {{"cancelled", true}}));
   } catch (const InputError& error) {
-    outbox->send_text(refused_text(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}}));
+    outbox->send_text(refused_text(id, error.what(), {{"faults", errors_value(error.diagnostics(), {}, "")}}));
   } catch (const std::bad_alloc&) {
     outbox->send_text(refused_text(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}}));
   } catch (const std::exception& error) {

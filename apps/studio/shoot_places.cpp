@@ -171,14 +171,14 @@ ShootPlace place_beside(const NamedShoots& shoots, AxisIndex axis, const ShootRe
 
 ShootPlace nearest_shoot(const Plant& plant, const std::string& component, Vec3 point) {
   ShootPlace nearest;
-  float least = std::numeric_limits<float>::max();
+  float min = std::numeric_limits<float>::max();
   for (const Stem& stem : plant.stems) {
     const Skeleton& skeleton = stem.skeleton;
     for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
       if (stem.part(skeleton.axis[node]).component != component) continue;
       const float distance = distance_to_segment(skeleton, node, point);
-      if (distance >= least) continue;
-      least = distance;
+      if (distance >= min) continue;
+      min = distance;
       nearest = {.stem = &stem, .axis = skeleton.axis[node], .node = nearer_end(skeleton, node, point)};
     }
   }

@@ -30,11 +30,11 @@ namespace {
 
 // Triangles of one small picture; with half as many, one can see through an old oak
 constexpr double kEnoughTriangles = 60'000;
-constexpr double kLeastShare = 1e-3;  // minimum share of a plant's triangles that is requested
+constexpr double kMinShare = 1e-3;  // minimum share of a plant's triangles that is requested
 constexpr int kSamplesPerPixel = 4;
-constexpr int kTexelsPerPixel = 2;     // along a picture's side, for textures on plants that are seen as a whole
-constexpr std::size_t kMostLanes = 4;  // maximum number of lanes
-constexpr std::uint64_t kMostStillBytes = 500'000'000;  // maximum size of grown plants that are kept between pictures
+constexpr int kTexelsPerPixel = 2;    // along a picture's side, for textures on plants that are seen as a whole
+constexpr std::size_t kMaxLanes = 4;  // maximum number of lanes
+constexpr std::uint64_t kMaxStillBytes = 500'000'000;  // maximum size of grown plants that are kept between pictures
 
 double triangles_of(const Plant& plant) {
   double triangles = 8 * static_cast<double>(plant.node_count());
@@ -48,7 +48,7 @@ Detail detail_for(const Plant& plant) {
   const double wanted = kEnoughTriangles / std::max(1.0, triangles_of(plant));
   if (wanted >= 1) return {};
   double share = 0.5;
-  while (share > wanted && share > kLeastShare) share /= 2;
+  while (share > wanted && share > kMinShare) share /= 2;
   return {.level = 1, .share = share};
 }
 
@@ -111,7 +111,7 @@ struct StillMaker::State {
   std::optional<Scene> scene{};
   Limits limits{};
   GrownDocument grown{};
-  Value faults{};
+  Value errors{};
 };
 
 /// States that grow one after another, in parallel with other lanes, and the results that they leave for the next
@@ -141,7 +141,7 @@ struct StillMaker::Lane {
       state.limits = document.graph.limits;
     } catch (const InputError& error) {
       state = {};
-      state.faults = faults_value(error.diagnostics(), {}, "");
+      state.errors = errors_value(error.diagnostics(), {}, "");
     }
     return state;
   }
@@ -161,7 +161,7 @@ std::uint64_t StillMaker::kept_bytes() const {
 std::vector<StillMaker::State> StillMaker::grow(const StillSource& source, const StillsRequest& request,
                                                 const Registry& registry, Progress& progress) {
   std::vector<State> states(request.states.size());
-  const std::size_t count = std::min({states.size(), static_cast<std::size_t>(thread_count()), kMostLanes});
+  const std::size_t count = std::min({states.size(), static_cast<std::size_t>(thread_count()), kMaxLanes});
   while (lanes_.size() < count) lanes_.push_back(std::make_unique<Lane>());
   lanes_.resize(count);
   progress.begin("growing", states.size());
@@ -176,7 +176,7 @@ std::vector<StillMaker::State> StillMaker::grow(const StillSource& source, const
     }
     plants.end();
     meshes.end();
-    if (lane.kept_bytes() > kMostStillBytes / count) {
+    if (lane.kept_bytes() > kMaxStillBytes / count) {
       lane.plants.clear();
       lane.meshes.clear();
     }
@@ -217,7 +217,7 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
       const Image image = take_picture(state.grown, state.limits, *state.scene, picture, part);
       made[k] = Value::Object{{"picture", base64(encode_png(image, PixelKind::srgb, PngPacking::quick))}};
     } else {
-      made[k] = Value::Object{{"faults", state.faults}};
+      made[k] = Value::Object{{"faults", state.errors}};
     }
     progress.advance();
   });

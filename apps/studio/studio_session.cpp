@@ -110,7 +110,7 @@ void StudioSession::receive(std::string_view message) {
   } catch (const Refusal& refusal) {
     refuse(id ? id : request_id(message.substr(0, host_.limits.message_bytes)), refusal.what(), refusal.members());
   } catch (const InputError& error) {
-    refuse(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}});
+    refuse(id, error.what(), {{"faults", errors_value(error.diagnostics(), {}, "")}});
   } catch (const std::bad_alloc&) {
     refuse(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}});
   } catch (const std::exception& error) {
@@ -157,7 +157,7 @@ void StudioSession::require_base(const std::string& base) {
 void StudioSession::begin_session(std::string text, std::string file) {
   session_ = std::make_unique<Session>(
       std::move(text), std::move(file), host_.registry,
-      SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
+      SessionOptions{.root = root_, .models = host_.models_folder, .max_undone = 0, .reads_at_once = false});
   hash_ = text_hash(session_->text());
   unread_drag_.reset();
 }
@@ -206,7 +206,7 @@ void StudioSession::watch_file() {
 void StudioSession::add_reading(Answer& answer, const Session& read, const std::string& name,
                                 const Progress& progress) const {
   answer.emplace_back("good", read.is_good());
-  answer.emplace_back("faults", faults_value(read.faults(), read.text(), name));
+  answer.emplace_back("faults", errors_value(read.errors(), read.text(), name));
   answer.emplace_back("tree", tree_of(read.text(), &progress));
   answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
   answer.emplace_back("implied",
@@ -259,7 +259,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const OpenReq
   Opened found = opened(request);
   auto next = std::make_unique<Session>(
       std::move(found.text), std::move(found.file), host_.registry,
-      SessionOptions{.root = found.root, .models = host_.models_folder, .most_undone = 0, .reads_at_once = false});
+      SessionOptions{.root = found.root, .models = host_.models_folder, .max_undone = 0, .reads_at_once = false});
   Answer said;
   {
     // If this is cancelled, the previous document stays.
@@ -322,10 +322,10 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const EditReq
   Answer answer;
   try {
     if (request.only_if_good && was_good && !session().is_good()) {
-      Value faults = faults_value(session().faults(), session().text(), path_.value_or(title_));
-      const std::string message = session().faults()[0].message;
+      Value errors = errors_value(session().errors(), session().text(), path_.value_or(title_));
+      const std::string message = session().errors()[0].message;
       session().edit_text(change.inverse, progress);
-      throw Refusal(message, {{"faults", std::move(faults)}});
+      throw Refusal(message, {{"faults", std::move(errors)}});
     }
     if (was_dragged) session().set_overrides({}, progress);
     answer = {{"patch", patch_value(in_units(before, change.patch))},
@@ -352,7 +352,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const DragReq
     unread_drag_ = UnreadDrag{id, request.values};
     return Answer{{"faults", Value::List{}}, {"superseded", true}};
   }
-  Answer answer{{"faults", session().is_good() ? Value::List{} : faults_value(session().faults(), {}, "")}};
+  Answer answer{{"faults", session().is_good() ? Value::List{} : errors_value(session().errors(), {}, "")}};
   if (was_dragged || !request.values.empty()) show(request.values.empty());
   return answer;
 }

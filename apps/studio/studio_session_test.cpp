@@ -76,10 +76,10 @@ TEST(StudioSession, RefusesEditsOfAnotherText) {
   EXPECT_TRUE(*answer.find("stale")->boolean());
   const Value whole = studio.ask("text", R"("text": "{\"meristem\": 2}")");
   EXPECT_FALSE(*whole.find("good")->boolean());
-  const Value& fault = (*whole.find("faults")->list())[0];
-  EXPECT_EQ(Studio::text_of(fault, "path"), "meristem");
-  EXPECT_EQ(*fault.find("line")->number(), 1);
-  EXPECT_EQ(*fault.find("offset")->number(), 13);
+  const Value& error = (*whole.find("faults")->list())[0];
+  EXPECT_EQ(Studio::text_of(error, "path"), "meristem");
+  EXPECT_EQ(*error.find("line")->number(), 1);
+  EXPECT_EQ(*error.find("offset")->number(), 13);
 }
 
 TEST(StudioSession, TakesTypingThatIsNoJson) {
@@ -167,9 +167,9 @@ TEST(StudioSession, SaysWhereAFileIsNotUtf8AndGoesOn) {
   studio.open_bush();
   const Value refused = studio.ask("open", R"("path": "latin.json")");
   EXPECT_TRUE(is_refused(refused));
-  const Value& fault = (*refused.find("faults")->list())[0];
-  EXPECT_EQ(*fault.find("line")->number(), 3);
-  EXPECT_EQ(*fault.find("column")->number(), 15);
+  const Value& error = (*refused.find("faults")->list())[0];
+  EXPECT_EQ(*error.find("line")->number(), 3);
+  EXPECT_EQ(*error.find("column")->number(), 15);
   EXPECT_NE(Studio::text_of(refused, "message").find("byte 0xf6 in line 3 (byte 34 of the file)"), std::string::npos)
       << Studio::text_of(refused, "message");
   // The mailbox reads each message as JSON, which refuses what is not UTF-8.

@@ -13,34 +13,34 @@ namespace {
 Value count_or_null(int number) { return number > 0 ? Value(number) : Value(); }
 
 /// `unit` is the position of the fault in the text. Unset: unknown.
-Value fault_value(const Diagnostic& found, std::optional<std::size_t> unit, const std::string& file) {
-  Diagnostic fault = visible(found);
-  if (!file.empty() && fault.line > 0) fault.file = file;
+Value error_value(const Diagnostic& found, std::optional<std::size_t> unit, const std::string& file) {
+  Diagnostic error = visible(found);
+  if (!file.empty() && error.line > 0) error.file = file;
   // Not written as `condition ? Value(x) : Value()`: GCC 12 then warns of an uninitialised string at -O1.
   Value offset;
   if (unit) offset = static_cast<double>(*unit);
-  return Value::Object{{"severity", fault.severity == Severity::error ? "error" : "warning"},
-                       {"message", fault.message},
-                       {"expected", fault.expected},
-                       {"nearest", fault.nearest},
-                       {"path", fault.path},
-                       {"line", count_or_null(fault.line)},
-                       {"column", count_or_null(fault.column)},
+  return Value::Object{{"severity", error.severity == Severity::error ? "error" : "warning"},
+                       {"message", error.message},
+                       {"expected", error.expected},
+                       {"nearest", error.nearest},
+                       {"path", error.path},
+                       {"line", count_or_null(error.line)},
+                       {"column", count_or_null(error.column)},
                        {"offset", std::move(offset)},
-                       {"text", fault.text()}};
+                       {"text", error.text()}};
 }
 
 }  // namespace
 
-Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text, const std::string& file) {
+Value errors_value(const std::vector<Diagnostic>& errors, std::string_view text, const std::string& file) {
   std::vector<LineColumn> places;
-  for (const Diagnostic& fault : faults) places.push_back({fault.line, fault.column});
+  for (const Diagnostic& error : errors) places.push_back({error.line, error.column});
   const bool is_placed = !text.empty();
   const std::vector<std::size_t> units = is_placed ? units_of(text, places) : std::vector<std::size_t>();
   Value::List list;
-  for (std::size_t k = 0; k < faults.size(); ++k) {
-    const bool is_known = is_placed && faults[k].line > 0;
-    list.push_back(fault_value(faults[k], is_known ? std::optional(units[k]) : std::nullopt, file));
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const bool is_known = is_placed && errors[k].line > 0;
+    list.push_back(error_value(errors[k], is_known ? std::optional(units[k]) : std::nullopt, file));
   }
   return list;
 }

@@ -16,7 +16,7 @@ namespace meristem::studio {
 
 /// Returns faults of a text. `file` is the name of the file that the user knows, instead of its path; empty: the faults
 /// keep their own.
-Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text, const std::string& file);
+Value errors_value(const std::vector<Diagnostic>& errors, std::string_view text, const std::string& file);
 
 Value patch_value(const std::vector<UnitSplice>& splices);
 

@@ -23,7 +23,7 @@ constexpr std::uint16_t kVersion = 10;      // 1.0, the lowest version that read
 constexpr std::uint16_t kUtf8 = 1U << 11U;  // encoding of names
 constexpr std::uint16_t kFirstDay = 0x21;   // 1980-01-01
 constexpr std::size_t kBlock = 1U << 18U;   // bytes read at a time
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
 
 struct Entry {
   std::string path;
@@ -34,7 +34,7 @@ struct Entry {
 };
 
 std::uint32_t small_size(std::uint64_t size) {
-  if (size >= kMost) throw MachineError("the files are too large for one archive, which holds less than 4 GB");
+  if (size >= kMax) throw MachineError("the files are too large for one archive, which holds less than 4 GB");
   return static_cast<std::uint32_t>(size);
 }
 

@@ -26,7 +26,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
-constexpr int kMostLinks = 40;  // the limit of the Linux kernel
+constexpr int kMaxLinks = 40;  // the limit of the Linux kernel
 
 /// Returns the path to which `path` leads if its last part is a symbolic link. The result need not exist. Returns an
 /// empty path and sets `errno` for a loop of links or an empty path.
@@ -34,7 +34,7 @@ std::string without_links(std::string path) {
   if (path.empty()) errno = ENOENT;
   std::error_code error;
   for (int links = 0; std::filesystem::is_symlink(path, error); ++links) {
-    if (links == kMostLinks) {
+    if (links == kMaxLinks) {
       errno = ELOOP;
       return {};
     }
@@ -53,7 +53,7 @@ std::string temporary_beside(const std::string& target) {
 }
 
 /// A set keeps at most this many descriptors open, so that its program can open further files.
-constexpr std::size_t kMostLocksOfSet = 200;
+constexpr std::size_t kMaxLocksOfSet = 200;
 
 [[noreturn]] void throw_cannot_write(const std::string& path, int reason) {
   const std::string where = path == "-" ? "standard output" : "'" + path + "'";
@@ -146,7 +146,7 @@ void AtomicFile::commit() {
   close();
   if (temporary_.empty()) return;
   if (current_set != nullptr) {
-    if (current_set->waiting_.size() >= kMostLocksOfSet) close_lock();
+    if (current_set->waiting_.size() >= kMaxLocksOfSet) close_lock();
     current_set->waiting_.push_back({temporary_, target_, path_, std::exchange(lock_, -1)});
   } else if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail();
@@ -234,7 +234,7 @@ void FileSet::unlock(const Waiting& file) {
 void FileSet::commit() {
   if (outer_ != nullptr) {
     for (Waiting& file : waiting_) {
-      if (outer_->waiting_.size() >= kMostLocksOfSet && file.lock >= 0) ::close(std::exchange(file.lock, -1));
+      if (outer_->waiting_.size() >= kMaxLocksOfSet && file.lock >= 0) ::close(std::exchange(file.lock, -1));
       outer_->waiting_.push_back(file);
     }
     waiting_.clear();

@@ -31,7 +31,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   const std::size_t band = limit - 1;  // cells farther from the diagonal need at least `limit` edits
   for (Row& row : rows) std::fill_n(row.begin(), b.size() + 2, limit);
   for (std::size_t j = 0; j <= std::min(b.size(), band); ++j) rows[0][j] = j;
-  std::size_t least_above = 0;
+  std::size_t min_above = 0;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     Row& row = rows[i % 3];
     const Row& above = rows[(i + 2) % 3];
@@ -39,18 +39,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
     const std::size_t first = i > band ? i - band : 1;
     const std::size_t last = std::min(b.size(), i + band);
     row[first - 1] = first == 1 && i <= band ? i : limit;
-    std::size_t least = row[first - 1];
+    std::size_t min = row[first - 1];
     for (std::size_t j = first; j <= last; ++j) {
       const std::size_t replaced = above[j - 1] + (are_equal(a[i - 1], b[j - 1]) ? 0 : 1);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
       const bool is_swap = i > 1 && j > 1 && are_equal(a[i - 1], b[j - 2]) && are_equal(a[i - 2], b[j - 1]);
       if (is_swap) row[j] = std::min(row[j], before[j - 2] + 1);
-      least = std::min(least, row[j]);
+      min = std::min(min, row[j]);
     }
     row[last + 1] = limit;  // the next row reads this cell
     // A swap reads the row two above, so both rows must reach the limit.
-    if (least >= limit && least_above >= limit) return limit;
-    least_above = least;
+    if (min >= limit && min_above >= limit) return limit;
+    min_above = min;
   }
   return std::min(limit, rows[a.size() % 3][b.size()]);
 }

@@ -132,10 +132,10 @@ TEST(NearestName, AgreesWithTheWholeTableOfEdits) {
     std::vector<std::string> candidates;
     for (std::uint64_t k = 0; k < 20; ++k) candidates.push_back(drawn(key.child(k)));
     std::string nearest;
-    std::size_t least = name.size() / 3 + 1;
+    std::size_t min = name.size() / 3 + 1;
     for (const std::string& candidate : candidates) {
-      if (plain_distance(name, candidate) >= least) continue;
-      least = plain_distance(name, candidate);
+      if (plain_distance(name, candidate) >= min) continue;
+      min = plain_distance(name, candidate);
       nearest = candidate;
     }
     EXPECT_EQ(nearest_name(name, candidates), nearest) << name;

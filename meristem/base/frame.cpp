@@ -70,8 +70,8 @@ Mat3 rotation_toward(Vec3 from, Vec3 target, double share, Vec3 fallback) {
 
 Frame frame_along(Vec3 origin, Vec3 heading, Vec3 upper) {
   const DVec3 y = unit_or(DVec3(heading), DVec3(kUp));
-  const DVec3 wish = unit_or(DVec3(upper), DVec3(0));
-  const DVec3 across = wish - glm::dot(wish, y) * y;
+  const DVec3 wanted = unit_or(DVec3(upper), DVec3(0));
+  const DVec3 across = wanted - glm::dot(wanted, y) * y;
   const DVec3 z = glm::dot(across, across) < 1e-12 ? perpendicular(y) : glm::normalize(across);
   return {Mat3(DMat3(glm::cross(y, z), y, z)), origin};
 }

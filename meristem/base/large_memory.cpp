@@ -16,9 +16,9 @@ namespace meristem {
 
 void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t kLeast = std::size_t{8} << 20U;  // minimum number of bytes that is worth a system call
+  constexpr std::size_t kMin = std::size_t{8} << 20U;  // minimum number of bytes that is worth a system call
   constexpr std::uintptr_t kPage = 4096;
-  if (bytes < kLeast) return;
+  if (bytes < kMin) return;
   // The system call needs whole pages. Pages at the ends may hold other data, so leave them out.
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + kPage - 1) / kPage * kPage;
   const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / kPage * kPage;

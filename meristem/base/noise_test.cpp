@@ -38,22 +38,22 @@ TEST(Noise, IsZeroOnTheLattice) {
 TEST(Noise, FillsTheRangeWithMeanZero) {
   for (const Walk& walk : walks()) {
     double sum = 0;
-    double least = 0;
-    double greatest = 0;
+    double min = 0;
+    double max = 0;
     constexpr int kSamples = 200'000;
     for (int k = 0; k < kSamples; ++k) {
       const double value = walk.value(kKey, k * 0.37);
       sum += value;
-      least = std::min(least, value);
-      greatest = std::max(greatest, value);
+      min = std::min(min, value);
+      max = std::max(max, value);
     }
     // Some 70,000 unrelated cells have a standard deviation below 0.5, so their mean has a standard deviation below
     // 0.002.
     EXPECT_NEAR(sum / kSamples, 0, 0.01) << walk.name;
-    EXPECT_GE(least, -1.1) << walk.name;
-    EXPECT_LE(least, -0.7) << walk.name;
-    EXPECT_LE(greatest, 1.1) << walk.name;
-    EXPECT_GE(greatest, 0.7) << walk.name;
+    EXPECT_GE(min, -1.1) << walk.name;
+    EXPECT_LE(min, -0.7) << walk.name;
+    EXPECT_LE(max, 1.1) << walk.name;
+    EXPECT_GE(max, 0.7) << walk.name;
   }
 }
 

@@ -7,7 +7,7 @@ namespace meristem {
 
 std::string NumberLimit::expected() const { return fmt::format("{} from {:.7g} to {:.7g}", noun, min, max); }
 
-Diagnostic number_fault(std::string_view what, const NumberLimit& limit) {
+Diagnostic number_error(std::string_view what, const NumberLimit& limit) {
   return {.message = fmt::format("{} is out of range", what), .expected = limit.expected()};
 }
 

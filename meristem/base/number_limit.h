@@ -36,6 +36,6 @@ inline constexpr double kMaxCoordinate = 1e6;
 inline constexpr double kMaxRadius = 1e3;
 
 /// Returns the error for a number outside its limit, without a place. `what` names the number: "the radius 1e+308".
-Diagnostic number_fault(std::string_view what, const NumberLimit& limit);
+Diagnostic number_error(std::string_view what, const NumberLimit& limit);
 
 }  // namespace meristem

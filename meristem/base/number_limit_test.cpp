@@ -30,7 +30,7 @@ TEST(NumberLimit, NumbersAndSquaresOfLengthsFitIntoFloats) {
 }
 
 TEST(NumberLimit, FaultSaysWhatWasExpected) {
-  EXPECT_EQ(number_fault("the radius -1", kFileRadius).text(),
+  EXPECT_EQ(number_error("the radius -1", kFileRadius).text(),
             "the radius -1 is out of range; expected a radius or diameter from 0 to 1e+09");
 }
 

@@ -72,13 +72,13 @@ int core_count() {
 int available_threads(int wanted) {
   if (wanted <= core_count()) return wanted;
   static std::mutex mutex;
-  static int most_wanted = 0, most = 0;
+  static int max_wanted = 0, max = 0;
   const std::lock_guard lock(mutex);
-  if (wanted > most_wanted) {
-    most = startable_threads(wanted);
-    most_wanted = wanted;
+  if (wanted > max_wanted) {
+    max = startable_threads(wanted);
+    max_wanted = wanted;
   }
-  return std::min(wanted, most);
+  return std::min(wanted, max);
 }
 
 /// Applies the limit of a loop to the loops inside its blocks, on whichever thread the block runs.
@@ -139,7 +139,7 @@ void run_alone(Blocks& blocks) {
 /// Allows TBB to start more threads than there are cores. Set once, because TBB uses the lowest of all values that are
 /// set.
 void allow_more_than_cores() {
-  static const tbb::global_control most(tbb::global_control::max_allowed_parallelism, 1024);
+  static const tbb::global_control max(tbb::global_control::max_allowed_parallelism, 1024);
 }
 
 /// An arena for a limited number of threads.

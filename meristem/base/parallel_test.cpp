@@ -62,8 +62,8 @@ TEST(ParallelFor, BlocksDependOnCountAndGrainOnly) {
 }
 
 TEST(ParallelFor, CountsUpToTheLargestNumber) {
-  const std::size_t most = std::numeric_limits<std::size_t>::max();
-  EXPECT_EQ(blocks_of(most, most / 2), (std::vector<Range>{{0, most / 2}, {most / 2, most - 1}, {most - 1, most}}));
+  const std::size_t max = std::numeric_limits<std::size_t>::max();
+  EXPECT_EQ(blocks_of(max, max / 2), (std::vector<Range>{{0, max / 2}, {max / 2, max - 1}, {max - 1, max}}));
 }
 
 TEST(ParallelFor, SumsInBlockOrderHaveTheSameBytesOnAnyNumberOfThreads) {
@@ -169,15 +169,15 @@ TEST(ThreadLimit, BoundsTheThreadsThatRun) {
   for (const int threads : kThreadCounts) {
     const ThreadLimit limit(threads);
     std::atomic<int> running = 0;
-    std::atomic<int> most = 0;
+    std::atomic<int> max = 0;
     parallel_for(2000, 1, [&](std::size_t, std::size_t) {
       const int now = ++running;
-      for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
+      for (int seen = max; now > seen && !max.compare_exchange_weak(seen, now);) {
       }
       std::this_thread::yield();
       --running;
     });
-    EXPECT_LE(most, threads);
+    EXPECT_LE(max, threads);
   }
 }
 

@@ -90,7 +90,7 @@ class ColumnReader {
       : rest_(text),
         forms_(forms),
         limits_(limits),
-        most_rows_(rows == RowLimit::nodes ? limits.nodes : limits.points),
+        max_rows_(rows == RowLimit::nodes ? limits.nodes : limits.points),
         limit_name_(rows == RowLimit::nodes ? "nodes" : "points") {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
@@ -104,13 +104,13 @@ class ColumnReader {
     throw_if_any();
     while (next_line() && !is_full()) read_row();
     throw_if_any();
-    if (found_.row_count() == 0) fault(0, {.message = "the file has no rows below its head line"});
+    if (found_.row_count() == 0) error(0, {.message = "the file has no rows below its head line"});
     throw_if_any();
     return std::move(found_);
   }
 
  private:
-  bool is_full() const { return faults_.size() >= limits_.diagnostics; }
+  bool is_full() const { return errors_.size() >= limits_.diagnostics; }
 
   bool next_line() {
     while (!rest_.empty()) {
@@ -124,15 +124,15 @@ class ColumnReader {
     return false;
   }
 
-  void fault(std::size_t offset, Diagnostic diagnostic) {
+  void error(std::size_t offset, Diagnostic diagnostic) {
     diagnostic.line = number_;
     diagnostic.column = column_at(line_, offset);
-    faults_.push_back(std::move(diagnostic));
+    errors_.push_back(std::move(diagnostic));
   }
 
   void throw_if_any() {
-    if (is_full()) faults_.resize(limits_.diagnostics);
-    if (!faults_.empty()) throw InputError(std::move(faults_));
+    if (is_full()) errors_.resize(limits_.diagnostics);
+    if (!errors_.empty()) throw InputError(std::move(errors_));
   }
 
   void read_head() {
@@ -145,11 +145,11 @@ class ColumnReader {
       places_.push_back(at == names.end() ? kNone : static_cast<std::size_t>(at - names.begin()));
       if (at == names.end()) {
         if (!form.is_needed) continue;
-        fault(0, {.message = fmt::format("there is no column '{}'", form.name),
+        error(0, {.message = fmt::format("there is no column '{}'", form.name),
                   .expected = "a head line that names it",
                   .nearest = nearest_name(form.name, names)});
       } else if (const auto again = std::find(at + 1, names.end(), form.name); again != names.end()) {
-        fault(cells_[static_cast<std::size_t>(again - names.begin())].offset,
+        error(cells_[static_cast<std::size_t>(again - names.begin())].offset,
               {.message = fmt::format("the column '{}' appears twice", form.name)});
       }
     }
@@ -158,13 +158,13 @@ class ColumnReader {
   void read_row() {
     split(line_, separator_, cells_);
     if (cells_.size() != width_) {
-      fault(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+      error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
                 .expected = fmt::format("{}, as the head line", width_)});
       return;
     }
-    if (found_.row_count() >= most_rows_) {
+    if (found_.row_count() >= max_rows_) {
       Diagnostic diagnostic =
-          limit_diagnostic("rows of a table", static_cast<double>(found_.row_count()) + 1, most_rows_, limit_name_, "");
+          limit_diagnostic("rows of a table", static_cast<double>(found_.row_count()) + 1, max_rows_, limit_name_, "");
       diagnostic.line = number_;
       throw InputError(std::move(diagnostic));
     }
@@ -178,11 +178,11 @@ class ColumnReader {
       }
       const std::optional<double> number = number_of(cell.text, separator_ != ',');
       if (!number) {
-        fault(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
+        error(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
                                                    in_quotes(cell.text.substr(0, kLongestShown)), forms_[k].name),
                             .expected = "a finite number"});
       } else if (!forms_[k].limit.holds(*number)) {
-        fault(cell.offset, number_fault(fmt::format("{} in the column '{}'", in_quotes(cell.text), forms_[k].name),
+        error(cell.offset, number_error(fmt::format("{} in the column '{}'", in_quotes(cell.text), forms_[k].name),
                                         forms_[k].limit));
       }
       found_.numbers[k].push_back(number.value_or(0));
@@ -193,7 +193,7 @@ class ColumnReader {
   std::string_view rest_;
   const std::vector<ColumnRequest>& forms_;
   const Limits& limits_;
-  std::uint64_t most_rows_;
+  std::uint64_t max_rows_;
   std::string_view limit_name_;
   std::string_view line_;
   int number_ = 0;
@@ -202,7 +202,7 @@ class ColumnReader {
   std::vector<Cell> cells_;
   std::vector<std::size_t> places_;  // for each requested column, its position among the cells, or kNone
   Columns found_;
-  std::vector<Diagnostic> faults_;
+  std::vector<Diagnostic> errors_;
 };
 
 /// Reads all columns. A column is numeric until a cell is not a number, and then becomes a column of texts.
@@ -214,28 +214,28 @@ class TableReader {
 
   TextTable run() {
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
-    if (lines > kMostRows + kFewLines) throw_too_many(lines - 1);
+    if (lines > kMaxRows + kFewLines) throw_too_many(lines - 1);
     rest_ = text_;
     if (!next_line()) {
       throw InputError(Diagnostic{.message = "the file has no lines", .expected = "a head line and rows"});
     }
     read_head();
     throw_if_any();
-    while (next_line() && faults_.size() < limits_.diagnostics) read_row();
+    while (next_line() && errors_.size() < limits_.diagnostics) read_row();
     throw_if_any();
-    if (table_.lines.empty()) fault(0, {.message = "the file has no rows below its head line"});
+    if (table_.lines.empty()) error(0, {.message = "the file has no rows below its head line"});
     throw_if_any();
-    if (table_.row_count() > kMostRows) throw_too_many(table_.row_count());
+    if (table_.row_count() > kMaxRows) throw_too_many(table_.row_count());
     return std::move(table_);
   }
 
  private:
-  static constexpr std::uint64_t kFewLines = 1000;         // allowance for empty lines and the head
-  static constexpr std::uint64_t kMostCells = 50'000'000;  // maximum number of cells of all columns
+  static constexpr std::uint64_t kFewLines = 1000;        // allowance for empty lines and the head
+  static constexpr std::uint64_t kMaxCells = 50'000'000;  // maximum number of cells of all columns
 
   [[noreturn]] static void throw_too_many(std::uint64_t rows) {
     throw InputError(Diagnostic{.message = fmt::format("the table has {} rows", rows),
-                                .expected = fmt::format("at most {}", kMostRows)});
+                                .expected = fmt::format("at most {}", kMaxRows)});
   }
 
   bool next_line() {
@@ -250,31 +250,31 @@ class TableReader {
     return false;
   }
 
-  void fault(std::size_t offset, Diagnostic diagnostic) {
+  void error(std::size_t offset, Diagnostic diagnostic) {
     diagnostic.line = number_;
     diagnostic.column = column_at(line_, offset);
-    faults_.push_back(std::move(diagnostic));
+    errors_.push_back(std::move(diagnostic));
   }
 
   void throw_if_any() {
-    if (!faults_.empty()) throw InputError(std::move(faults_));
+    if (!errors_.empty()) throw InputError(std::move(errors_));
   }
 
   void read_head() {
     separator_ = separator_of(line_);
     split(line_, separator_, cells_);
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n')) + 1;
-    if (lines * cells_.size() > kMostCells) {
-      fault(0, {.message = fmt::format("the table has {} columns in {} lines", cells_.size(), lines),
-                .expected = fmt::format("at most {} cells", kMostCells)});
+    if (lines * cells_.size() > kMaxCells) {
+      error(0, {.message = fmt::format("the table has {} columns in {} lines", cells_.size(), lines),
+                .expected = fmt::format("at most {} cells", kMaxCells)});
       return;
     }
     std::vector<std::string> names;
     for (const Cell& cell : cells_) {
       std::string name(cell.text.substr(0, kLongestName));
       if (!name.empty() && std::ranges::find(names, name) != names.end()) {
-        fault(cell.offset, {.message = fmt::format("the column {} appears twice", in_quotes(name))});
-        if (faults_.size() >= limits_.diagnostics) return;
+        error(cell.offset, {.message = fmt::format("the column {} appears twice", in_quotes(name))});
+        if (errors_.size() >= limits_.diagnostics) return;
       }
       names.push_back(name);
       table_.columns.push_back({.name = std::move(name)});
@@ -285,7 +285,7 @@ class TableReader {
   void read_row() {
     split(line_, separator_, cells_);
     if (cells_.size() != table_.columns.size()) {
-      fault(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+      error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
                 .expected = fmt::format("{}, as the head line", table_.columns.size())});
       return;
     }
@@ -303,8 +303,8 @@ class TableReader {
       const bool is_empty = cell.text.empty();
       const std::optional<double> number = is_empty ? std::nullopt : number_of(cell.text, separator_ != ',');
       if (number && !kFileNumber.holds(*number)) {
-        fault(cell.offset,
-              number_fault(fmt::format("{} in the column {}", in_quotes(cell.text), in_quotes(column.name)),
+        error(cell.offset,
+              number_error(fmt::format("{} in the column {}", in_quotes(cell.text), in_quotes(column.name)),
                            kFileNumber));
       }
       if (number || is_empty) {
@@ -357,7 +357,7 @@ class TableReader {
   std::vector<Cell> cells_;
   std::vector<std::unordered_map<std::string, std::uint32_t>> numbers_of_text_;  // for each column
   TextTable table_;
-  std::vector<Diagnostic> faults_;
+  std::vector<Diagnostic> errors_;
 };
 
 }  // namespace

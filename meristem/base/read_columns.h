@@ -68,11 +68,11 @@ struct TextTable {
 int column_of_cell(std::string_view text, int line, std::string_view column);
 
 /// Maximum number of rows of a table.
-inline constexpr std::uint64_t kMostRows = 1'000'000;
+inline constexpr std::uint64_t kMaxRows = 1'000'000;
 
 /// Reads all columns of a text in the format of read_columns(). Throws an InputError with all errors by line and
 /// column: no columns, two columns of one name, a row with more or fewer cells than the head, a number outside
-/// kFileNumber, or no rows. More than kMostRows rows are an error before the rows are read.
+/// kFileNumber, or no rows. More than kMaxRows rows are an error before the rows are read.
 TextTable read_text_table(std::string_view text, const Limits& limits);
 
 }  // namespace meristem

@@ -18,7 +18,7 @@ const std::vector<ColumnRequest> kForms{{"rank", false}, {"x"}, {"y"}};
 
 Columns read(std::string_view text) { return read_columns(text, kForms, {}); }
 
-std::vector<Diagnostic> faults_of(std::string_view text, const Limits& limits = {}) {
+std::vector<Diagnostic> errors_of(std::string_view text, const Limits& limits = {}) {
   try {
     read_columns(text, kForms, limits);
   } catch (const InputError& error) {
@@ -28,10 +28,10 @@ std::vector<Diagnostic> faults_of(std::string_view text, const Limits& limits = 
 }
 
 /// Returns the error of a text with one error.
-Diagnostic fault_of(std::string_view text) {
-  const std::vector<Diagnostic> faults = faults_of(text);
-  EXPECT_EQ(faults.size(), 1U) << text;
-  return faults.empty() ? Diagnostic{} : faults.front();
+Diagnostic error_of(std::string_view text) {
+  const std::vector<Diagnostic> errors = errors_of(text);
+  EXPECT_EQ(errors.size(), 1U) << text;
+  return errors.empty() ? Diagnostic{} : errors.front();
 }
 
 TEST(ReadColumns, GivesColumnsByNameWhateverTheirOrder) {
@@ -51,7 +51,7 @@ TEST(ReadColumns, CommasSemicolonsAndTabsReadTheSame) {
 TEST(ReadColumns, DecimalCommasReadWhereTheyPartNoCells) {
   EXPECT_EQ(read("x;y\n2,5;-0,25\n").numbers, read("x,y\n2.5,-0.25\n").numbers);
   EXPECT_EQ(read("x\ty\n2,5\t1\n").numbers[1], List{2.5});
-  EXPECT_EQ(fault_of("x,y\n2,5,1\n").message, "the row has 3 cells");
+  EXPECT_EQ(error_of("x,y\n2,5,1\n").message, "the row has 3 cells");
 }
 
 TEST(ReadColumns, QuotesBlanksReturnsAndPlusSignsDoNotCount) {
@@ -75,12 +75,12 @@ TEST(ReadColumns, EmptyLinesCountAsLinesButNotAsRows) {
 
 TEST(ReadColumns, RejectsATextWithoutLines) {
   for (const char* text : {"", "\n\n", "\xEF\xBB\xBF", "  \r\n"}) {
-    EXPECT_EQ(fault_of(text).message, "the file has no lines");
+    EXPECT_EQ(error_of(text).message, "the file has no lines");
   }
 }
 
 TEST(ReadColumns, RejectsAHeadLineAlone) {
-  EXPECT_EQ(fault_of("x,y\n").message, "the file has no rows below its head line");
+  EXPECT_EQ(error_of("x,y\n").message, "the file has no rows below its head line");
 }
 
 TEST(ReadColumns, RejectsAMissingColumnWithTheNearestName) {
@@ -97,7 +97,7 @@ TEST(ReadColumns, RejectsAMissingColumnWithTheNearestName) {
 }
 
 TEST(ReadColumns, RejectsAColumnThatIsThereTwiceAtItsSecondPlace) {
-  const Diagnostic found = fault_of("x,y,x\n1,2,3\n");
+  const Diagnostic found = error_of("x,y,x\n1,2,3\n");
   EXPECT_EQ(found.message, "the column 'x' appears twice");
   EXPECT_EQ(found.line, 1);
   EXPECT_EQ(found.column, 5);
@@ -106,7 +106,7 @@ TEST(ReadColumns, RejectsAColumnThatIsThereTwiceAtItsSecondPlace) {
 
 TEST(ReadColumns, RejectsWhatIsNoFiniteNumberAtItsLineAndColumn) {
   for (const char* cell : {"abc", "", "1.2.3", "1 2", "nan", "inf", "1e999", "--1", "0x10", "+-1"}) {
-    const Diagnostic found = fault_of(std::string("x,y\n1,2\n3,") + cell + "\n");
+    const Diagnostic found = error_of(std::string("x,y\n1,2\n3,") + cell + "\n");
     EXPECT_NE(found.message.find("in the column 'y' is not a number"), std::string::npos) << cell;
     EXPECT_EQ(found.line, 3) << cell;
     EXPECT_EQ(found.column, 3) << cell;
@@ -114,7 +114,7 @@ TEST(ReadColumns, RejectsWhatIsNoFiniteNumberAtItsLineAndColumn) {
 }
 
 TEST(ReadColumns, RejectsNumbersBeyondTheLimitOfTheirColumn) {
-  const Diagnostic found = fault_of("x,y\n1,2\n3,1e39\n");
+  const Diagnostic found = error_of("x,y\n1,2\n3,1e39\n");
   EXPECT_EQ(found.text(), "3:3: '1e39' in the column 'y' is out of range; expected a number from -3.4e+38 to 3.4e+38");
   const NumberLimit few{0, 10, "a count"};
   try {
@@ -134,12 +134,12 @@ TEST(ReadColumns, FindsTheCellOfANamedColumn) {
 }
 
 TEST(ReadColumns, ColumnsOfFaultsAreCharactersAndNotBytes) {
-  EXPECT_EQ(fault_of("name,x,y\nBl\xC3\xA4tter,?,2\n").column, 9);
+  EXPECT_EQ(error_of("name,x,y\nBl\xC3\xA4tter,?,2\n").column, 9);
 }
 
 TEST(ReadColumns, RejectsRowsOfAnotherWidth) {
   for (const char* row : {"1", "1,2,3"}) {
-    const Diagnostic found = fault_of(std::string("x,y\n1,2\n") + row + "\n");
+    const Diagnostic found = error_of(std::string("x,y\n1,2\n") + row + "\n");
     EXPECT_NE(found.message.find("cells"), std::string::npos);
     EXPECT_EQ(found.expected, "2, as the head line");
     EXPECT_EQ(found.line, 3);
@@ -149,13 +149,13 @@ TEST(ReadColumns, RejectsRowsOfAnotherWidth) {
 TEST(ReadColumns, GathersAllFaultsOfRowsUpToTheLimit) {
   std::string text = "x,y\n";
   for (int row = 0; row < 50; ++row) text += "a,b\n";
-  EXPECT_EQ(faults_of(text).size(), 100U);
+  EXPECT_EQ(errors_of(text).size(), 100U);
   Limits limits;
   limits.diagnostics = 7;
-  EXPECT_EQ(faults_of(text, limits).size(), 7U);
+  EXPECT_EQ(errors_of(text, limits).size(), 7U);
 }
 
-std::vector<Diagnostic> table_faults(std::string_view text, const Limits& limits = {}) {
+std::vector<Diagnostic> table_errors(std::string_view text, const Limits& limits = {}) {
   try {
     read_text_table(text, limits);
   } catch (const InputError& error) {
@@ -190,33 +190,33 @@ TEST(ReadTextTable, AColumnKnowsItsFirstCellThatIsNoNumber) {
 }
 
 TEST(ReadTextTable, RejectsTablesThatAreNone) {
-  for (const char* text : {"", "\n\n", "x,y\n"}) EXPECT_EQ(table_faults(text).size(), 1U) << text;
+  for (const char* text : {"", "\n\n", "x,y\n"}) EXPECT_EQ(table_errors(text).size(), 1U) << text;
 }
 
 TEST(ReadTextTable, RejectsTwoColumnsOfOneNameAndRowsOfAnotherWidth) {
-  const std::vector<Diagnostic> twice = table_faults("x,y,x\n1,2,3\n");
+  const std::vector<Diagnostic> twice = table_errors("x,y,x\n1,2,3\n");
   ASSERT_EQ(twice.size(), 1U);
   EXPECT_EQ(twice[0].line, 1);
   EXPECT_EQ(twice[0].column, 5);
-  const std::vector<Diagnostic> rows = table_faults("x,y\n1\n1,2\n1,2,3\n");
+  const std::vector<Diagnostic> rows = table_errors("x,y\n1\n1,2\n1,2,3\n");
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].line, 2);
   EXPECT_EQ(rows[1].line, 4);
 }
 
 TEST(ReadTextTable, RejectsNumbersBeyondAllFiles) {
-  const std::vector<Diagnostic> faults = table_faults("x,y\n1,2\n3,1e300\n");
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].line, 3);
-  EXPECT_EQ(faults[0].column, 3);
+  const std::vector<Diagnostic> errors = table_errors("x,y\n1,2\n3,1e300\n");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].line, 3);
+  EXPECT_EQ(errors[0].column, 3);
 }
 
 TEST(ReadTextTable, RejectsMoreRowsThanATableMayHave) {
   std::string text = "x\n";
-  for (std::uint64_t k = 0; k <= kMostRows; ++k) text += "1\n";
-  const std::vector<Diagnostic> faults = table_faults(text);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].text().find("1000000"), std::string::npos) << faults[0].text();
+  for (std::uint64_t k = 0; k <= kMaxRows; ++k) text += "1\n";
+  const std::vector<Diagnostic> errors = table_errors(text);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].text().find("1000000"), std::string::npos) << errors[0].text();
 }
 
 }  // namespace meristem::read_columns_test

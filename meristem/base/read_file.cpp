@@ -26,11 +26,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kBytesAtOnce = 4'000'000;  // between two checks for a stop
 
 std::string nearest_file(const fs::path& path) {
-  constexpr std::size_t kMostNames = 10'000;
+  constexpr std::size_t kMaxNames = 10'000;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::vector<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < kMostNames;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < kMaxNames;
        entry.increment(error)) {
     names.push_back(entry->path().filename().string());
   }
@@ -39,7 +39,7 @@ std::string nearest_file(const fs::path& path) {
   return nearest.empty() ? nearest : (path.parent_path() / nearest).string();
 }
 
-[[noreturn]] void throw_fault(const std::string& path, std::string message, std::string expected,
+[[noreturn]] void throw_error(const std::string& path, std::string message, std::string expected,
                               std::string nearest = {}) {
   throw InputError(Diagnostic{
       .message = std::move(message), .expected = std::move(expected), .nearest = std::move(nearest), .file = path});
@@ -51,24 +51,23 @@ std::string nearest_file(const fs::path& path) {
 
 }  // namespace
 
-std::string read_file(const std::string& path, std::uint64_t most_bytes) {
+std::string read_file(const std::string& path, std::uint64_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (path.empty() || path.find('\0') != std::string::npos || status.type() == fs::file_type::not_found) {
     const std::string nearest = nearest_file(path);
-    throw_fault(path, "there is no such file", nearest.empty() ? "the path of a file" : "", nearest);
+    throw_error(path, "there is no such file", nearest.empty() ? "the path of a file" : "", nearest);
   }
-  if (fs::is_directory(status)) throw_fault(path, "this is a folder", "a file");
-  if (!fs::is_regular_file(status)) throw_fault(path, "this is not a regular file", "a file on a disk");
+  if (fs::is_directory(status)) throw_error(path, "this is a folder", "a file");
+  if (!fs::is_regular_file(status)) throw_error(path, "this is not a regular file", "a file on a disk");
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) {
     errno = error.value();
     throw_unreadable(path);
   }
-  if (size == 0) throw_fault(path, "the file is empty", "");
-  if (size > most_bytes) {
-    Diagnostic diagnostic =
-        limit_diagnostic("bytes of a file", static_cast<double>(size), most_bytes, "file_bytes", "");
+  if (size == 0) throw_error(path, "the file is empty", "");
+  if (size > max_bytes) {
+    Diagnostic diagnostic = limit_diagnostic("bytes of a file", static_cast<double>(size), max_bytes, "file_bytes", "");
     diagnostic.file = path;
     throw InputError(std::move(diagnostic));
   }

@@ -17,7 +17,7 @@ void write(const std::filesystem::path& path, const std::string& bytes) {
 }
 
 /// Returns the error of reading a path, with at most 10 bytes.
-Diagnostic fault_of(const std::string& path) {
+Diagnostic error_of(const std::string& path) {
   try {
     read_file(path, 10);
   } catch (const InputError& error) {
@@ -39,40 +39,40 @@ TEST(ReadFile, AMissingFileIsAnErrorWithTheNearestNameOfItsFolder) {
   const TemporaryFolder folder;
   write(folder / "leaves.csv", "x");
   write(folder / "other.obj", "x");
-  const Diagnostic fault = fault_of((folder / "leafs.csv").string());
-  EXPECT_EQ(fault.message, "there is no such file");
-  EXPECT_EQ(fault.nearest, (folder / "leaves.csv").string());
-  EXPECT_EQ(fault.file, (folder / "leafs.csv").string());
-  EXPECT_EQ(fault_of((folder / "nothing like it at all").string()).nearest, "");
-  EXPECT_EQ(fault_of((folder / "no folder/leaves.csv").string()).message, "there is no such file");
+  const Diagnostic error = error_of((folder / "leafs.csv").string());
+  EXPECT_EQ(error.message, "there is no such file");
+  EXPECT_EQ(error.nearest, (folder / "leaves.csv").string());
+  EXPECT_EQ(error.file, (folder / "leafs.csv").string());
+  EXPECT_EQ(error_of((folder / "nothing like it at all").string()).nearest, "");
+  EXPECT_EQ(error_of((folder / "no folder/leaves.csv").string()).message, "there is no such file");
 }
 
 TEST(ReadFile, PathsThatNoFileCanHaveAreErrors) {
-  EXPECT_EQ(fault_of("").message, "there is no such file");
+  EXPECT_EQ(error_of("").message, "there is no such file");
   const TemporaryFolder folder;
   write(folder / "a", "x");
-  EXPECT_EQ(fault_of((folder / "a").string() + std::string("\0b", 2)).message, "there is no such file");
+  EXPECT_EQ(error_of((folder / "a").string() + std::string("\0b", 2)).message, "there is no such file");
 }
 
 TEST(ReadFile, WhatIsNoPlainFileIsNamed) {
   const TemporaryFolder folder;
-  EXPECT_EQ(fault_of(folder.path().string()).message, "this is a folder");
-  EXPECT_EQ(fault_of("/dev/null").message, "this is not a regular file");
+  EXPECT_EQ(error_of(folder.path().string()).message, "this is a folder");
+  EXPECT_EQ(error_of("/dev/null").message, "this is not a regular file");
 }
 
 TEST(ReadFile, EmptyFilesAreErrors) {
   const TemporaryFolder folder;
   write(folder / "empty", "");
-  EXPECT_EQ(fault_of((folder / "empty").string()).message, "the file is empty");
+  EXPECT_EQ(error_of((folder / "empty").string()).message, "the file is empty");
 }
 
 TEST(ReadFile, AFileOverTheLimitIsAnErrorThatNamesTheLimit) {
   const TemporaryFolder folder;
   write(folder / "eleven", "12345678901");
-  const Diagnostic fault = fault_of((folder / "eleven").string());
-  EXPECT_EQ(fault.file, (folder / "eleven").string());
-  EXPECT_NE(fault.text().find("11 bytes of a file are too many"), std::string::npos) << fault.text();
-  EXPECT_NE(fault.text().find("limits.file_bytes"), std::string::npos) << fault.text();
+  const Diagnostic error = error_of((folder / "eleven").string());
+  EXPECT_EQ(error.file, (folder / "eleven").string());
+  EXPECT_NE(error.text().find("11 bytes of a file are too many"), std::string::npos) << error.text();
+  EXPECT_NE(error.text().find("limits.file_bytes"), std::string::npos) << error.text();
 }
 
 }  // namespace meristem::read_file_test

@@ -19,12 +19,12 @@ namespace {
 constexpr std::string_view kPngStart = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kJpegStart = "\xff\xd8\xff";
 
-[[noreturn]] void throw_image_fault(const std::string& file, std::string message, std::string expected) {
+[[noreturn]] void throw_image_error(const std::string& file, std::string message, std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .file = file});
 }
 
 [[noreturn]] void throw_damaged(const std::string& file, std::string_view kind, std::string_view reason) {
-  throw_image_fault(file, fmt::format("the {} is damaged: {}", kind, reason), "a picture that other programs can open");
+  throw_image_error(file, fmt::format("the {} is damaged: {}", kind, reason), "a picture that other programs can open");
 }
 
 /// Returns a picture of that size with all bytes zero. Throws InputError if it is too large.
@@ -81,7 +81,7 @@ Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& 
 Image parse_image(std::string_view bytes, const std::string& file, const Limits& limits) {
   if (bytes.substr(0, kPngStart.size()) == kPngStart) return parse_png(bytes, file, limits);
   if (bytes.substr(0, kJpegStart.size()) == kJpegStart) return parse_jpeg(bytes, file, limits);
-  throw_image_fault(file, "this picture cannot be read", "a PNG or a JPEG file");
+  throw_image_error(file, "this picture cannot be read", "a PNG or a JPEG file");
 }
 
 Image read_image(const std::string& path, const Limits& limits) {

@@ -51,7 +51,7 @@ std::string jpeg_bytes(const Image& image) {
   return bytes;
 }
 
-Diagnostic fault_of(std::string_view bytes, const Limits& limits = {}) {
+Diagnostic error_of(std::string_view bytes, const Limits& limits = {}) {
   try {
     parse_image(bytes, "bark.png", limits);
   } catch (const InputError& error) {
@@ -85,15 +85,15 @@ TEST(ReadImage, TellsFormatsByTheirBytesAndNotByTheirNames) {
 }
 
 TEST(ReadImage, RefusesOtherFiles) {
-  const Diagnostic fault = fault_of("GIF89a and so on");
-  EXPECT_EQ(fault.message, "this picture cannot be read");
-  EXPECT_EQ(fault.expected, "a PNG or a JPEG file");
+  const Diagnostic error = error_of("GIF89a and so on");
+  EXPECT_EQ(error.message, "this picture cannot be read");
+  EXPECT_EQ(error.expected, "a PNG or a JPEG file");
 }
 
 TEST(ReadImage, RefusesTruncatedPicturesOfBothKinds) {
   for (const std::string& bytes : {png_bytes(sample()), jpeg_bytes(sample())}) {
     for (const std::size_t size : {std::size_t{10}, bytes.size() / 2, bytes.size() - 20}) {
-      EXPECT_NE(fault_of(bytes.substr(0, size)).message.find("is damaged: "), std::string::npos) << size;
+      EXPECT_NE(error_of(bytes.substr(0, size)).message.find("is damaged: "), std::string::npos) << size;
     }
   }
 }
@@ -101,14 +101,14 @@ TEST(ReadImage, RefusesTruncatedPicturesOfBothKinds) {
 TEST(ReadImage, RefusesAPngWithAWrongChecksum) {
   std::string bytes = png_bytes(sample());
   bytes[bytes.size() / 2] ^= 0x10;
-  EXPECT_NE(fault_of(bytes).message.find("the PNG is damaged: "), std::string::npos);
+  EXPECT_NE(error_of(bytes).message.find("the PNG is damaged: "), std::string::npos);
 }
 
 TEST(ReadImage, RefusesMorePixelsThanAllowedByTheHeaderAlone) {
   Limits limits;
   limits.picture_pixels = 24 * 16 - 1;
   for (const std::string& bytes : {png_bytes(sample()), jpeg_bytes(sample())}) {
-    EXPECT_NE(fault_of(bytes, limits).message.find("pixels of a picture"), std::string::npos);
+    EXPECT_NE(error_of(bytes, limits).message.find("pixels of a picture"), std::string::npos);
   }
   limits.picture_pixels = 24 * 16;
   EXPECT_FALSE(parse_image(png_bytes(sample()), "bark.png", limits).is_empty());

@@ -28,8 +28,8 @@ namespace {
 
 constexpr int kHalvings = 50;
 constexpr double kNear = 1e-3;    // relative tolerance of the distance
-constexpr double kLeast = 1e-12;  // lowest roughness relative to its unit: nearly the given values
-constexpr double kMost = 1e12;    // highest roughness: nearly straight lines
+constexpr double kMin = 1e-12;    // lowest roughness relative to its unit: nearly the given values
+constexpr double kMax = 1e12;     // highest roughness: nearly straight lines
 constexpr double kFirst = 1e-3;   // first roughness that is tried
 constexpr int kSecants = 12;      // maximum number of secant steps; more help only if numbers lose their digits
 constexpr double kStride = 12;    // maximum step of the logarithm of the roughness
@@ -206,14 +206,14 @@ class Smoother {
 
 /// A range of roughness.
 struct Range {
-  double least = 0, most = std::numeric_limits<double>::infinity();
+  double min = 0, max = std::numeric_limits<double>::infinity();
   bool rises = false;  ///< the squares still rise beyond the range
 };
 
-/// Returns a range that contains all roughnesses whose squares are at most `most` and at least 2 * kNear (relative)
+/// Returns a range that contains all roughnesses whose squares are at most `max` and at least 2 * kNear (relative)
 /// below it. Returns the range of all numbers if the secant rule fails.
-Range find_roughness(Smoother& smoother, double most) {
-  const double wanted = math::log(most * (1 - kNear));
+Range find_roughness(Smoother& smoother, double max) {
+  const double wanted = math::log(max * (1 - kNear));
   double logarithm = math::log(kFirst), found = math::log(smoother.squares(kFirst));
   double slope = 1;
   for (int k = 0; k < kSecants; ++k) {
@@ -241,12 +241,12 @@ std::vector<std::vector<double>> smooth_values(std::span<const double> x, std::v
   const double wanted = distance * distance * smoother.weights();
   const Range likely = find_roughness(smoother, wanted);
   // Straight lines can be near enough.
-  if (!likely.rises && smoother.squares(kMost) <= wanted) return smoother.values();
-  double low = kLeast, high = kMost;
+  if (!likely.rises && smoother.squares(kMax) <= wanted) return smoother.values();
+  double low = kMin, high = kMax;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = std::sqrt(low * high);
-    double squares = middle < likely.least ? 0 : std::numeric_limits<double>::infinity();
-    if (middle >= likely.least && middle <= likely.most) {
+    double squares = middle < likely.min ? 0 : std::numeric_limits<double>::infinity();
+    if (middle >= likely.min && middle <= likely.max) {
       squares = smoother.squares(middle);
       if (squares <= wanted && squares >= (1 - 2 * kNear) * wanted) return smoother.values();
     }

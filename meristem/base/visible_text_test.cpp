@@ -40,8 +40,8 @@ TEST(VisibleText, IsItsOwnResult) {
 }
 
 TEST(VisibleText, ErrorsAndTheirDiagnosticsAreVisible) {
-  const Diagnostic fault{.message = "no '\x1B[2J'", .expected = "\xE2\x80\xAE", .nearest = "\x07", .path = "a\nb"};
-  const InputError error(fault);
+  const Diagnostic diagnostic{.message = "no '\x1B[2J'", .expected = "\xE2\x80\xAE", .nearest = "\x07", .path = "a\nb"};
+  const InputError error(diagnostic);
   EXPECT_STREQ(error.what(), "a\\u000ab: no '\\u001b[2J'; expected \\u202e; did you mean '\\u0007'?");
   EXPECT_EQ(error.diagnostics()[0].message, "no '\\u001b[2J'");
   EXPECT_EQ(error.diagnostics()[0].expected, "\\u202e");

@@ -37,10 +37,10 @@ TEST(CameraComponent, LeavesToTheProgramWhatIsNotGiven) {
 }
 
 TEST(CameraComponent, RejectsWhatNoCameraCanSee) {
-  EXPECT_EQ(faults_of([] { view_of({{"field_of_view", 180}}); }).at(0).path, "components.view.field_of_view");
-  EXPECT_EQ(faults_of([] { view_of({{"altitude", 90}}); }).at(0).path, "components.view.altitude");
-  EXPECT_EQ(faults_of([] { view_of({{"azimuth", "i"}}); }).at(0).path, "components.view.azimuth");
-  EXPECT_EQ(faults_of([] { view_of({{"traget", Value::List{0, 0, 0}}}); }).at(0).nearest, "target");
+  EXPECT_EQ(errors_of([] { view_of({{"field_of_view", 180}}); }).at(0).path, "components.view.field_of_view");
+  EXPECT_EQ(errors_of([] { view_of({{"altitude", 90}}); }).at(0).path, "components.view.altitude");
+  EXPECT_EQ(errors_of([] { view_of({{"azimuth", "i"}}); }).at(0).path, "components.view.azimuth");
+  EXPECT_EQ(errors_of([] { view_of({{"traget", Value::List{0, 0, 0}}}); }).at(0).nearest, "target");
 }
 
 TEST(CameraComponent, ItsFrameMovesTheWholePlant) {

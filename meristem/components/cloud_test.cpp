@@ -52,8 +52,8 @@ TEST(Cloud, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(Cloud, NeedsACrownAndABearableNumberOfPoints) {
-  EXPECT_EQ(faults_of([] { cloud({}); }).at(0).message, "a cloud has no 'crown'");
-  EXPECT_EQ(faults_of([] { cloud({{"crown", kBall}, {"points", 1e12}}); }).at(0).path, "components.dots.points");
+  EXPECT_EQ(errors_of([] { cloud({}); }).at(0).message, "a cloud has no 'crown'");
+  EXPECT_EQ(errors_of([] { cloud({{"crown", kBall}, {"points", 1e12}}); }).at(0).path, "components.dots.points");
 }
 
 // A block over the upper half of the ball.

@@ -48,7 +48,7 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
   }
   ColonizeParameters growth = growth_of(tree, *scale);
   growth.directions = context.directions;
-  growth.wish = context.wish;
+  growth.request = context.request;
   return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component, context.progress);
 }
@@ -81,14 +81,14 @@ void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterRea
               reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
-    reader.fault(
+    reader.error(
         DocumentPath(path, "kill"),
         fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would vanish before they pull",
                     growth.kill, growth.influence),
         fmt::format("a number (m) below {:.7g}", growth.influence));
   }
   if (growth.step > growth.kill) {
-    reader.fault(DocumentPath(path, "step"),
+    reader.error(DocumentPath(path, "step"),
                  fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));

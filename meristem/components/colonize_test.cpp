@@ -29,10 +29,10 @@ GraphBuilder tree(const Value::Object& parameters) {
 }
 
 // Returns the only error of reading and growing.
-Diagnostic fault(const Value::Object& parameters) {
-  const auto faults = faults_of([&] { tree(parameters).grow(); });
-  EXPECT_EQ(faults.size(), 1U);
-  return faults.empty() ? Diagnostic{} : faults[0];
+Diagnostic error(const Value::Object& parameters) {
+  const auto errors = errors_of([&] { tree(parameters).grow(); });
+  EXPECT_EQ(errors.size(), 1U);
+  return errors.empty() ? Diagnostic{} : errors[0];
 }
 
 TEST(ColonizeComponent, GrowsASkeletonFromItsParameters) {
@@ -166,28 +166,28 @@ TEST(ColonizeComponent, TheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(ColonizeComponent, EmptyAndFaultyCrownsAreRejected) {
-  EXPECT_EQ(fault({{"crown", crown({{0, 0}, {0, 2}})}}).path, "components.tree.crown.profile");
-  EXPECT_EQ(fault({{"crown", crown({{1, 0}})}}).path, "components.tree.crown.profile");
-  EXPECT_EQ(fault({{"crown", crown({{1, 2}, {1, 1}})}}).path, "components.tree.crown.profile[1]");
-  EXPECT_EQ(fault({{"crown", crown({{1, 0}, {-1, 1}})}}).path, "components.tree.crown.profile[1][0]");
-  EXPECT_EQ(fault({}).message, "a colonize has no 'crown'");
+  EXPECT_EQ(error({{"crown", crown({{0, 0}, {0, 2}})}}).path, "components.tree.crown.profile");
+  EXPECT_EQ(error({{"crown", crown({{1, 0}})}}).path, "components.tree.crown.profile");
+  EXPECT_EQ(error({{"crown", crown({{1, 2}, {1, 1}})}}).path, "components.tree.crown.profile[1]");
+  EXPECT_EQ(error({{"crown", crown({{1, 0}, {-1, 1}})}}).path, "components.tree.crown.profile[1][0]");
+  EXPECT_EQ(error({}).message, "a colonize has no 'crown'");
 }
 
 TEST(ColonizeComponent, DistancesMustLetPointsPullBeforeTheyGo) {
-  EXPECT_EQ(fault(with({{"step", 0}})).path, "components.tree.step");
-  EXPECT_EQ(fault(with({{"kill", 0.6}, {"influence", 0.6}})).path, "components.tree.kill");
-  EXPECT_EQ(fault(with({{"kill", 0.04}, {"step", 0.05}})).path, "components.tree.step");
+  EXPECT_EQ(error(with({{"step", 0}})).path, "components.tree.step");
+  EXPECT_EQ(error(with({{"kill", 0.6}, {"influence", 0.6}})).path, "components.tree.kill");
+  EXPECT_EQ(error(with({{"kill", 0.04}, {"step", 0.05}})).path, "components.tree.step");
 }
 
 TEST(ColonizeComponent, TooManyPointsAreRejectedAtTheirParameter) {
-  const Diagnostic found = fault(with({{"points", 1e9}}));
+  const Diagnostic found = error(with({{"points", 1e9}}));
   EXPECT_EQ(found.path, "components.tree.points");
   EXPECT_NE(found.text().find("1000000000 attraction points are too many"), std::string::npos) << found.text();
 }
 
 TEST(ColonizeComponent, RulesHoldForEachInstanceWhereParametersVary) {
-  EXPECT_EQ(fault(with({{"points", "1e9 + i"}})).path, "components.tree.points");
-  EXPECT_EQ(fault(with({{"kill", "0.7 + i"}})).path, "components.tree.kill");
+  EXPECT_EQ(error(with({{"points", "1e9 + i"}})).path, "components.tree.points");
+  EXPECT_EQ(error(with({{"kill", "0.7 + i"}})).path, "components.tree.kill");
 }
 
 std::size_t root_count(const Skeleton& skeleton) {
@@ -246,12 +246,12 @@ TEST(ColonizeComponent, ShedBranchesAreGoneAndRememberedByTheWood) {
   EXPECT_EQ(remembering.position, forgetting.position);
   EXPECT_EQ(remembering.radius[0], whole.radius[0]);
   EXPECT_LT(forgetting.radius[0], whole.radius[0]);
-  EXPECT_EQ(fault({{"crown", kCrown}, {"shed", "heigth < 1"}}).nearest, "height");
+  EXPECT_EQ(error({{"crown", kCrown}, {"shed", "heigth < 1"}}).nearest, "height");
 }
 
 TEST(ColonizeComponent, RefusesRootsThatAreNone) {
-  EXPECT_EQ(fault(with({{"roots", Value::List{}}})).path, "components.tree.roots");
-  EXPECT_EQ(fault(with({{"roots", Value::List{Value(Value::List{0, 0})}}})).path, "components.tree.roots[0]");
+  EXPECT_EQ(error(with({{"roots", Value::List{}}})).path, "components.tree.roots");
+  EXPECT_EQ(error(with({{"roots", Value::List{Value(Value::List{0, 0})}}})).path, "components.tree.roots[0]");
 }
 
 Scene walled_scene() {
@@ -281,7 +281,7 @@ TEST(ColonizeComponent, EachPartOfItsLightChangesHowItGrows) {
 }
 
 TEST(ColonizeComponent, ItsLightIsChecked) {
-  const auto path_of = [](Value::Object light) { return fault(with({{"light", std::move(light)}})).path; };
+  const auto path_of = [](Value::Object light) { return error(with({{"light", std::move(light)}})).path; };
   EXPECT_EQ(path_of({{"shift", 1.5}}), "components.tree.light.shift");
   EXPECT_EQ(path_of({{"shift", 0.1}, {"shift_m", 0.1}}), "components.tree.light.shift_m");
   EXPECT_EQ(path_of({{"drift", -1}}), "components.tree.light.drift");

@@ -33,7 +33,7 @@ std::optional<std::vector<Vec3>> crown_cloud(const Graph& graph, const Scene& sc
   if (prototype == graph.components.end()) return std::nullopt;
   const bool is_tree = prototype->type->name == "colonize";
   if (!is_tree && prototype->type->name != "cloud") return std::nullopt;
-  const InstanceWish first{.component = id, .of = InstanceWish::Of::instance};
+  const InstanceQuery first{.component = id, .of = InstanceQuery::Of::instance};
   const auto found = find_instance(graph, scene, time, first, progress, cache, view);
   if (!found) return std::nullopt;
   Stand nobody;

@@ -259,26 +259,26 @@ TEST(Ffd, HasTheSameBytesOnAnyNumberOfThreadsAndWithACache) {
 
 TEST(Ffd, ThatFoldsSpaceOverIsToldWhereAndForWhat) {
   for (const char* part : {"axes", "geometry"}) {
-    const std::vector<Diagnostic> faults = faults_of([&] { tree_under(on(part, {{"dy", "y - 0.2*y^2"}})).grow(); });
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].path, "components.wind");
-    EXPECT_NE(faults[0].message.find("folds space over where '"), std::string::npos) << faults[0].message;
-    EXPECT_NE(faults[0].message.find("determinant"), std::string::npos);
+    const std::vector<Diagnostic> errors = errors_of([&] { tree_under(on(part, {{"dy", "y - 0.2*y^2"}})).grow(); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].path, "components.wind");
+    EXPECT_NE(errors[0].message.find("folds space over where '"), std::string::npos) << errors[0].message;
+    EXPECT_NE(errors[0].message.find("determinant"), std::string::npos);
   }
 }
 
 TEST(Ffd, RefusesWhatIsNoFunctionOfSpace) {
-  const auto fault = [](const Value& dx) {
-    const auto faults = faults_of([&] { tree_under({{"dx", dx}}); });
-    return faults.empty() ? Diagnostic{} : faults[0];
+  const auto error = [](const Value& dx) {
+    const auto errors = errors_of([&] { tree_under({{"dx", dx}}); });
+    return errors.empty() ? Diagnostic{} : errors[0];
   };
-  EXPECT_EQ(fault("x + w").path, "components.wind.dx");
-  EXPECT_NE(fault("x + w").message.find("'w'"), std::string::npos);
-  EXPECT_EQ(fault(true).path, "components.wind.dx");
-  const auto faults = faults_of([] { tree_under({{"dx", "x / (y - y)"}}).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("no finite value where 'trunk' stands at [0, 0, 0]"), std::string::npos)
-      << faults[0].message;
+  EXPECT_EQ(error("x + w").path, "components.wind.dx");
+  EXPECT_NE(error("x + w").message.find("'w'"), std::string::npos);
+  EXPECT_EQ(error(true).path, "components.wind.dx");
+  const auto errors = errors_of([] { tree_under({{"dx", "x / (y - y)"}}).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].message.find("no finite value where 'trunk' stands at [0, 0, 0]"), std::string::npos)
+      << errors[0].message;
 }
 
 }  // namespace meristem::ffd_test

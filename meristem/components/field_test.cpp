@@ -51,9 +51,9 @@ TEST(Field, GapsLeaveTheirShareOfPlacesEmpty) {
 }
 
 TEST(Field, TooManyPlantsAreAFaultBeforeTheirMemoryIsSpent) {
-  const auto faults = faults_of([] { plants_of({{"rows", 100'000}, {"plants", 100'000}}); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].text().find("instances"), std::string::npos);
+  const auto errors = errors_of([] { plants_of({{"rows", 100'000}, {"plants", 100'000}}); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].text().find("instances"), std::string::npos);
 }
 
 }  // namespace meristem::field_test

@@ -41,7 +41,7 @@ constexpr double kAgeTolerance = 1e-9;
 constexpr double kUsualLength = 0.3;    // metres; used if neither document nor file gives a length
 constexpr double kUsualSheath = 0.005;  // metres; radius of the sheath away from stems
 constexpr double kSheathOverStem = 1.12;
-constexpr double kMostRate = 1000;
+constexpr double kMaxRate = 1000;
 constexpr double kUsualAspect = 0.06;   // width over length if the leaf's own is unknown
 constexpr double kOwnInclination = -1;  // special value: the midrib's own inclination
 
@@ -58,8 +58,8 @@ struct Choice {
 
 /// Returns "one of 1, 2, 3".
 std::string ranks_text(const StockIndex& index) {
-  constexpr std::size_t kMostShown = 20;
-  const std::span<const int> shown = std::span(index.ranks()).first(std::min(index.ranks().size(), kMostShown));
+  constexpr std::size_t kMaxShown = 20;
+  const std::span<const int> shown = std::span(index.ranks()).first(std::min(index.ranks().size(), kMaxShown));
   return fmt::format("one of {}{}", fmt::join(shown, ", "), shown.size() < index.ranks().size() ? ", ..." : "");
 }
 
@@ -266,8 +266,8 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
 double value_of(const std::optional<Formula>& formula, std::span<const double> names, RandomKey key, const Emitter& out,
                 const char* parameter) {
   const double value = formula->expression.evaluate(names, key);
-  if (!(std::abs(value) <= kMostRate)) {
-    throw_at(out, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMostRate));
+  if (!(std::abs(value) <= kMaxRate)) {
+    throw_at(out, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMaxRate));
   }
   return value;
 }
@@ -394,9 +394,9 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
 void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   if (grass.stages.age && !(grass.age > 0)) return;
   if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, out);
-  if (grass.vary.acts() && grass.stages.vary && grass.age > kMostLifeSteps * grass.vary.step) {
+  if (grass.vary.acts() && grass.stages.vary && grass.age > kMaxLifeSteps * grass.vary.step) {
     throw_at(out, "vary.step", fmt::format("the life up to the age {} has too many steps", grass.age),
-             fmt::format("a step of {} or more", grass.age / kMostLifeSteps));
+             fmt::format("a step of {} or more", grass.age / kMaxLifeSteps));
   }
   const Choice choice = choose(grass, site, out);
   const double length = full_length(grass, choice);

@@ -63,8 +63,8 @@ Vec3 tip_of(const Plant& plant, const Organ& organ) {
   return organ.frame.point(mesh.positions[best]);
 }
 
-std::vector<Diagnostic> faults_of_leaf(const Object& leaf) {
-  return faults_of([&] { field_of(1, leaf); });
+std::vector<Diagnostic> errors_of_leaf(const Object& leaf) {
+  return errors_of([&] { field_of(1, leaf); });
 }
 
 TEST(Grassleaf, IsAsLongAndWideAsTheDocumentSays) {
@@ -128,10 +128,10 @@ TEST(Grassleaf, MidribsByAgeAreInterpolatedInTheirDirections) {
 }
 
 TEST(Grassleaf, AgesBeyondItsMidribsAreAFault) {
-  const auto faults = faults_of_leaf(strip({{"age", "1.5 + 0*i"}}));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.leaf.age");
-  EXPECT_NE(faults[0].expected.find("at most 1"), std::string::npos);
+  const auto errors = errors_of_leaf(strip({{"age", "1.5 + 0*i"}}));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.leaf.age");
+  EXPECT_NE(errors[0].expected.find("at most 1"), std::string::npos);
 }
 
 TEST(Grassleaf, ManyLeavesShareFewShapes) {
@@ -325,15 +325,15 @@ TEST(Grassleaf, AProfileOfOneNarrowPeakIsABladeAndNoneIsAFault) {
   };
   const List peak{Value(List{0, 0}), Value(List{0.01, 1}), Value(List{0.02, 0}), Value(List{1, 0})};
   check_mesh(*field_of(1, with_profile(peak)).prototypes[0].mesh);
-  const auto faults = faults_of_leaf(with_profile({Value(List{0, 0}), Value(List{1, 0})}));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.leaf.profile");
+  const auto errors = errors_of_leaf(with_profile({Value(List{0, 0}), Value(List{1, 0})}));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.leaf.profile");
 }
 
 TEST(Grassleaf, FormulasThatGiveNoNumbersToReckonWithAreFaults) {
   const auto path_of = [](const Object& leaf) {
-    const auto faults = faults_of_leaf(leaf);
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of_leaf(leaf);
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of({{"f", "1e300"}}), "components.leaf.f");
   EXPECT_EQ(path_of({{"vary", Object{{"length", "1/0"}}}}), "components.leaf.vary.length");
@@ -503,16 +503,16 @@ TEST_F(GrassleafFiles, AnExpressionMayNameTheRank) {
 }
 
 TEST_F(GrassleafFiles, RanksThatAreNotThereAreAFault) {
-  const auto faults = faults_of_leaf({{"midrib", midribs()}, {"rank", 7}});
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.leaf.rank");
-  EXPECT_EQ(faults[0].expected, "one of 1, 2");
+  const auto errors = errors_of_leaf({{"midrib", midribs()}, {"rank", 7}});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.leaf.rank");
+  EXPECT_EQ(errors[0].expected, "one of 1, 2");
 }
 
 TEST_F(GrassleafFiles, FaultsInFilesHaveTheirRowAndReason) {
   const auto text_of = [&](const char* row, const std::string& text) {
     std::string all;
-    for (const Diagnostic& fault : faults_of_leaf({{row, write("bad.csv", text)}})) all += fault.text() + "\n";
+    for (const Diagnostic& error : errors_of_leaf({{row, write("bad.csv", text)}})) all += error.text() + "\n";
     return all;
   };
   const auto has = [](const std::string& text, const std::string& piece) {
@@ -532,8 +532,8 @@ TEST_F(GrassleafFiles, FaultsInFilesHaveTheirRowAndReason) {
 
 TEST(Grassleaf, FaultyParametersAreRejectedAtTheirPlaces) {
   const auto path_of = [](const Object& leaf) {
-    const auto faults = faults_of_leaf(leaf);
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of_leaf(leaf);
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of({{"across", 3}}), "components.leaf.across");
   EXPECT_EQ(path_of({{"polygons", 0}}), "components.leaf.polygons");

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kThinnest = 1e-6;     // relative to the length: thinner sections are points
 constexpr double kRadiiAnOctave = 64;  // steps per octave for rounding the radii of outlines that share meshes
-constexpr std::size_t kMostRibs = 100'000;
+constexpr std::size_t kMaxRibs = 100'000;
 
 /// A cross-section on the curve.
 struct Rib {
@@ -213,13 +213,13 @@ void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& re
   if (horn.section != Horn::Section::outline) return;
   LoftSection section;
   for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
-  const auto fault = find_fault(section);
-  if (fault && fault->point) {
-    reader.fault(DocumentPath(outline, *fault->point), fault->message, fault->expected);
-  } else if (fault) {
-    reader.fault(outline, fault->message, fault->expected);
+  const auto error = find_error(section);
+  if (error && error->point) {
+    reader.error(DocumentPath(outline, *error->point), error->message, error->expected);
+  } else if (error) {
+    reader.error(outline, error->message, error->expected);
   } else if (section.is_point()) {
-    reader.fault(outline, "the outline is a single point", "at least 3 points");
+    reader.error(outline, "the outline is a single point", "at least 3 points");
   }
 }
 
@@ -247,7 +247,7 @@ ComponentType horn_component() {
               .together(PointsForm::polygon)
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
                       "Twist of section and ribs about the curve from base to tip.")
-              .count("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},
+              .count("ribs", &Horn::ribs, {.min = 1, .max = kMaxRibs, .usual = {1, 60}},
                      "Number of ribs evenly along the curve, both ends included; they bear primitives and the children "
                      "of branch links. With a fraction, the last one has that much of its size.")
               .integer("around", &Horn::around, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},

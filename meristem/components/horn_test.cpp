@@ -190,8 +190,8 @@ TEST(Horn, PrimitivesStandOnTheRibsAsThickAsTheCurve) {
 
 TEST(Horn, FaultsAreLocated) {
   const auto path_of = [](const Value::Object& parameters) {
-    const auto faults = faults_of([&] { one(parameters); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { one(parameters); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of({{"section", "outline"}}), "components.horn.outline");
   EXPECT_EQ(path_of({{"section", "outline"}, {"outline", Value::List{Value(Value::List{0, 0})}}}),
@@ -199,7 +199,7 @@ TEST(Horn, FaultsAreLocated) {
   EXPECT_EQ(path_of({{"outline", square()}}), "components.horn.outline");
   EXPECT_EQ(path_of({{"axis", Value::List{Value::List{0, 1, 0}, Value::List{0, 1, 0}}}}), "components.horn.axis[1]");
   EXPECT_EQ(path_of({{"ribs", 0}}), "components.horn.ribs");
-  EXPECT_EQ(faults_of([] { one({{"section", "bix"}}); }).at(0).nearest, "box");
+  EXPECT_EQ(errors_of([] { one({{"section", "bix"}}); }).at(0).nearest, "box");
 }
 
 TEST(Horn, HasTheSameBytesOnAnyNumberOfThreads) {

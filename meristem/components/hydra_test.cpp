@@ -66,22 +66,22 @@ TEST(Hydra, ARandomNumberIsEachChildsOwn) {
 }
 
 TEST(Hydra, FaultsInAPerChildNumberAreLocated) {
-  const auto fault = [](const Value& angle) {
-    const std::vector<Diagnostic> faults = faults_of([&] { rays({{"angle", angle}}); });
-    return faults.size() == 1 ? faults[0].text() : std::to_string(faults.size()) + " faults";
+  const auto error = [](const Value& angle) {
+    const std::vector<Diagnostic> errors = errors_of([&] { rays({{"angle", angle}}); });
+    return errors.size() == 1 ? errors[0].text() : std::to_string(errors.size()) + " faults";
   };
-  EXPECT_NE(fault("angel").find("components.star.angle: "), std::string::npos) << fault("angel");
-  EXPECT_NE(fault(200).find("components.star.angle: the value 200 is out of range"), std::string::npos);
-  EXPECT_NE(fault("190").find("components.star.angle: the expression's value 190"), std::string::npos) << fault("190");
-  EXPECT_NE(fault(Value::List{1, 2, 3}).find("a list of 3"), std::string::npos);
-  EXPECT_NE(fault("log(-i)").find("components.star.angle: the expression 'log(-i)' gives"), std::string::npos)
-      << fault("log(-i)");
+  EXPECT_NE(error("angel").find("components.star.angle: "), std::string::npos) << error("angel");
+  EXPECT_NE(error(200).find("components.star.angle: the value 200 is out of range"), std::string::npos);
+  EXPECT_NE(error("190").find("components.star.angle: the expression's value 190"), std::string::npos) << error("190");
+  EXPECT_NE(error(Value::List{1, 2, 3}).find("a list of 3"), std::string::npos);
+  EXPECT_NE(error("log(-i)").find("components.star.angle: the expression 'log(-i)' gives"), std::string::npos)
+      << error("log(-i)");
 }
 
 TEST(Hydra, AThousandMillionChildrenAreStopped) {
-  const std::vector<Diagnostic> faults = faults_of([] { rays({{"number", 1e9}}); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].text(),
+  const std::vector<Diagnostic> errors = errors_of([] { rays({{"number", 1e9}}); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].text(),
             "components.ray: 1e+09 instances, of which ray 1e+09 (100 %), are too many; expected at most 20000000 "
             "(limits.instances)");
 }
@@ -91,9 +91,9 @@ TEST(Hydra, TheProductThatExplodedIsNamed) {
   builder.component("view", "camera").component("stars", "hydra", {{"number", 30}});
   builder.component("star", "hydra", {{"number", 3000}}).component("ray", "simple");
   builder.instance_limit(20000).link("view", "stars").link("stars", "star").link("star", "ray");
-  const std::vector<Diagnostic> faults = faults_of([&] { builder.grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].text(),
+  const std::vector<Diagnostic> errors = errors_of([&] { builder.grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].text(),
             "components.ray: 90032 instances, of which ray 90000 (100 %), are too many; expected at most 20000 "
             "(limits.instances)");
 }

@@ -43,9 +43,9 @@ GraphBuilder stack_under(const Value::Object& patch_parameters) {
   return builder.link("trunk", "leaf", LinkKind::branch, {{"count", 9}});
 }
 
-Diagnostic fault_of(const Value::Object& parameters) {
-  const auto faults = faults_of([&] { stack_under(parameters).grow(); });
-  return faults.empty() ? Diagnostic{.message = "none"} : faults[0];
+Diagnostic error_of(const Value::Object& parameters) {
+  const auto errors = errors_of([&] { stack_under(parameters).grow(); });
+  return errors.empty() ? Diagnostic{.message = "none"} : errors[0];
 }
 
 TEST(Hyperpatch, WithoutPointsChangesNoByte) {
@@ -80,27 +80,27 @@ TEST(Hyperpatch, FunctionsMoveControlPointsFromRest) {
 }
 
 TEST(Hyperpatch, TellsHowManyPointsItNeedsAndInWhatOrder) {
-  const Diagnostic fault = fault_of(patch({{"points", corners(0)}, {"degree", Value::List{1, 3, 2}}}));
-  EXPECT_EQ(fault.path, "components.patch.points");
-  EXPECT_EQ(fault.message, "a hyperpatch of degree [1, 3, 2] has 24 control points, and here are 8");
-  EXPECT_EQ(fault.expected,
+  const Diagnostic error = error_of(patch({{"points", corners(0)}, {"degree", Value::List{1, 3, 2}}}));
+  EXPECT_EQ(error.path, "components.patch.points");
+  EXPECT_EQ(error.message, "a hyperpatch of degree [1, 3, 2] has 24 control points, and here are 8");
+  EXPECT_EQ(error.expected,
             "2 x 4 x 3 of them: layer by layer from the lowest y up, in each layer row by row toward +z, in each row "
             "toward +x");
 }
 
 TEST(Hyperpatch, RefusesWhatIsNoPatch) {
-  EXPECT_NE(fault_of({}).message.find("box"), std::string::npos);
-  EXPECT_EQ(fault_of({{"box", Value::List{Value::List{0, 0, 0}, Value::List{1, 0, 1}}}}).message, "the box is flat");
-  EXPECT_EQ(fault_of(patch({{"degree", Value::List{1, 4, 1}}})).path, "components.patch.degree[1]");
-  EXPECT_EQ(fault_of(patch({{"degree", kLinear}, {"points", corners(0)}, {"dx", "x"}})).path, "components.patch.dx");
-  EXPECT_EQ(fault_of(patch({{"degree", kLinear}, {"points", Value::List{Value::List{0, 1}}}})).path,
+  EXPECT_NE(error_of({}).message.find("box"), std::string::npos);
+  EXPECT_EQ(error_of({{"box", Value::List{Value::List{0, 0, 0}, Value::List{1, 0, 1}}}}).message, "the box is flat");
+  EXPECT_EQ(error_of(patch({{"degree", Value::List{1, 4, 1}}})).path, "components.patch.degree[1]");
+  EXPECT_EQ(error_of(patch({{"degree", kLinear}, {"points", corners(0)}, {"dx", "x"}})).path, "components.patch.dx");
+  EXPECT_EQ(error_of(patch({{"degree", kLinear}, {"points", Value::List{Value::List{0, 1}}}})).path,
             "components.patch.points[0]");
 }
 
 TEST(Hyperpatch, ThatFoldsIsTold) {
-  const Diagnostic fault = fault_of(patch({{"degree", kLinear}, {"points", corners(-7)}}));
-  EXPECT_EQ(fault.path, "components.patch");
-  EXPECT_NE(fault.message.find("folds space over where 'trunk' stands"), std::string::npos) << fault.message;
+  const Diagnostic error = error_of(patch({{"degree", kLinear}, {"points", corners(-7)}}));
+  EXPECT_EQ(error.path, "components.patch");
+  EXPECT_NE(error.message.find("folds space over where 'trunk' stands"), std::string::npos) << error.message;
 }
 
 }  // namespace meristem::hyperpatch_test

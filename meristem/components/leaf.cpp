@@ -21,7 +21,7 @@ namespace {
 constexpr double kStalkStep = 0.05;
 constexpr double kLeafProportionSteps = 8;  // per octave
 constexpr double kStalkRadiusSteps = 2;     // per octave
-constexpr std::size_t kMostCorners = 500;
+constexpr std::size_t kMaxCorners = 500;
 
 /// Shape parameters that vary between instances, rounded, for a leaf of length 1.
 struct SharedNumbers {
@@ -84,26 +84,26 @@ void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterRead
   bool has_width = false;
   for (const Vec2& point : blade.outline.points()) {
     if (point.y < 0 || point.y > 1) {
-      reader.fault(DocumentPath(path, "outline"), "the outline leaves the range from 0 to 1",
+      reader.error(DocumentPath(path, "outline"), "the outline leaves the range from 0 to 1",
                    "half widths from 0 to 1");
       return;
     }
     has_width = has_width || point.y > 0;
   }
-  if (!has_width) reader.fault(DocumentPath(path, "outline"), "the outline is empty", "a half width above 0 somewhere");
+  if (!has_width) reader.error(DocumentPath(path, "outline"), "the outline is empty", "a half width above 0 somewhere");
 }
 
 void check_polygon(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath polygon(path, "polygon");
-  if (blade.polygon.size() > kMostCorners) {
-    reader.fault(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
-                 fmt::format("at most {}", kMostCorners));
+  if (blade.polygon.size() > kMaxCorners) {
+    reader.error(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
+                 fmt::format("at most {}", kMaxCorners));
     return;
   }
   if (std::ranges::none_of(blade.polygon, [](Vec2 point) { return point.x > 0; })) {
-    reader.fault(polygon, "the polygon is empty", "a half width above 0 somewhere");
+    reader.error(polygon, "the polygon is empty", "a half width above 0 somewhere");
   } else if (polygon_crosses_itself(blade)) {
-    reader.fault(polygon, "the polygon crosses or touches itself or the midrib",
+    reader.error(polygon, "the polygon crosses or touches itself or the midrib",
                  "the right edge in its order from the joint [0, 0] to the tip [0, 1]");
   }
 }
@@ -115,13 +115,13 @@ void check_leaf(const Leaf& leaf, const DocumentPath& path, ParameterReader& rea
     check_polygon(leaf.blade, path, reader);
   }
   if (leaf.blade.across % 2 != 0) {
-    reader.fault(DocumentPath(path, "across"), "'across' is odd",
+    reader.error(DocumentPath(path, "across"), "'across' is odd",
                  "an even number, so that a row of points is the midrib");
   }
   const TextureParameters& texture = leaf.texture;
   const bool cuts = texture.leaf || texture.petal || (texture.picture && texture.picture->masked);
   if (leaf.blade.edge == LeafBlade::Edge::picture && !cuts) {
-    reader.fault(DocumentPath(path, "edge"), "no texture cuts out the edge",
+    reader.error(DocumentPath(path, "edge"), "no texture cuts out the edge",
                  "a 'texture' that is a leaf, a petal or a masked picture, or the edge 'shape'");
   }
 }

@@ -67,15 +67,15 @@ TEST(LeafComponent, TenThousandVariedLeavesShareFewShapes) {
   EXPECT_LE(prototypes_of(plant, "leaf").size(), 17U * 7);
   EXPECT_GE(prototypes_of(plant, "leaf").size(), 30U);
   // Lengths stay exact: the length of a leaf's heading is the length of its blade.
-  float least = 1, most = 0;
+  float min = 1, max = 0;
   for (const Organ& organ : organs) {
-    least = std::min(least, glm::length(organ.frame.heading()));
-    most = std::max(most, glm::length(organ.frame.heading()));
+    min = std::min(min, glm::length(organ.frame.heading()));
+    max = std::max(max, glm::length(organ.frame.heading()));
     const float stretch = glm::length(organ.frame.right()) / glm::length(organ.frame.heading());
     EXPECT_NEAR(stretch, 1, 0.045);
   }
-  EXPECT_NEAR(least, 0.05, 1e-4);
-  EXPECT_NEAR(most, 0.12, 1e-4);
+  EXPECT_NEAR(min, 0.05, 1e-4);
+  EXPECT_NEAR(max, 0.12, 1e-4);
 }
 
 TEST(LeafComponent, AnglesThatVaryAreRoundedToFiveDegreesAndOthersAreExact) {
@@ -148,8 +148,8 @@ TEST(LeafComponent, ASawOfAPolygonIsAFrondOfFewTriangles) {
 
 TEST(LeafComponent, FaultyBladesAreRejected) {
   const auto path_of = [](const Value::Object& parameters) {
-    const auto faults = faults_of([&] { leaves(1, parameters); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { leaves(1, parameters); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   const auto outline = [](double a, double b) {
     return Value(Value::Object{{"curve", Value::List{Value::List{0, a}, Value::List{1, b}}}});

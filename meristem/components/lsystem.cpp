@@ -177,18 +177,18 @@ void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterRead
   if (!plant.grammar && !plant.file) return;  // the table has already reported this
   const Grammar& grammar = plant.source().grammar;
   if (grammar.is_timed && plant.steps) {
-    reader.fault(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps", "'time'");
+    reader.error(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps", "'time'");
   } else if (!grammar.is_timed && plant.time) {
-    reader.fault(DocumentPath(path, "time"), "no rule of the grammar has a life, so it knows no time",
+    reader.error(DocumentPath(path, "time"), "no rule of the grammar has a life, so it knows no time",
                  "'steps', or rules such as A @ 1 -> A B");
   } else if (grammar.is_timed && !plant.time && !grammar.time) {
-    reader.fault(path, "the time at which the grammar stands is not given", "'time', or #time in the grammar");
+    reader.error(path, "the time at which the grammar stands is not given", "'time', or #time in the grammar");
   } else if (!grammar.is_timed && !plant.steps && !grammar.steps) {
-    reader.fault(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
+    reader.error(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
   }
   const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
   if (counts_steps && plant.turtle.length == 0) {
-    reader.fault(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
+    reader.error(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
                  "a 'length' other than 0");
   }
 }
@@ -292,7 +292,7 @@ ComponentType lsystem_component() {
               .lines("grammar", &Lsystem::grammar, read_plant_grammar, "Text of the grammar, or a list of its lines.")
               .text_file("file", &Lsystem::file, read_plant_grammar, "File with the grammar's text.")
               .one_of({"grammar", "file"})
-              .integer("steps", &Lsystem::steps, {.min = 0, .max = kMostSteps},
+              .integer("steps", &Lsystem::steps, {.min = 0, .max = kMaxSteps},
                        "Number of times that the rules are applied; by default, as the grammar says.")
               .number("time", &Lsystem::time, {.min = 0, .max = 1e6, .usual = {0, 20}},
                       "Time up to which a grammar with lives develops, in the unit of its lives; by default, as the "

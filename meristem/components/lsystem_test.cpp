@@ -149,32 +149,32 @@ TEST(Lsystem, FinishMovesPolygonsWithTheirNodes) {
   EXPECT_LT(glm::distance(polygon_of(true), Vec3(0, 0.05F, 0)), 1e-6F);
 }
 
-std::string fault_of(const Value::Object& parameters) {
+std::string error_of(const Value::Object& parameters) {
   std::string text;
-  for (const Diagnostic& fault : faults_of([&] { plant_of(parameters).grow(); })) text += fault.text() + "\n";
+  for (const Diagnostic& error : errors_of([&] { plant_of(parameters).grow(); })) text += error.text() + "\n";
   return text;
 }
 
 TEST(Lsystem, SaysWhatIsWrong) {
-  EXPECT_THAT(fault_of({{"grammar", "F"}}), HasSubstr("the number of steps of the grammar is not given"));
-  EXPECT_THAT(fault_of({{"steps", 1}}), HasSubstr("grammar"));
-  EXPECT_THAT(fault_of({{"grammar", 3}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
-  EXPECT_THAT(fault_of({{"grammar", Value::List{"F", 3}}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
-  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 1}, {"stack_angles", false}}), HasSubstr("\"turtle\": \"polar\""));
-  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 1}, {"turtle", "polar"}, {"elasticity", 0.2}}),
+  EXPECT_THAT(error_of({{"grammar", "F"}}), HasSubstr("the number of steps of the grammar is not given"));
+  EXPECT_THAT(error_of({{"steps", 1}}), HasSubstr("grammar"));
+  EXPECT_THAT(error_of({{"grammar", 3}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
+  EXPECT_THAT(error_of({{"grammar", Value::List{"F", 3}}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
+  EXPECT_THAT(error_of({{"grammar", "F"}, {"steps", 1}, {"stack_angles", false}}), HasSubstr("\"turtle\": \"polar\""));
+  EXPECT_THAT(error_of({{"grammar", "F"}, {"steps", 1}, {"turtle", "polar"}, {"elasticity", 0.2}}),
               HasSubstr("\"turtle\": \"frame\""));
-  EXPECT_THAT(fault_of({{"grammar", "Ff}"}, {"steps", 0}}), HasSubstr("components.plant: module 3 of the word"));
-  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 0}, {"length", 0}, {"finish", Value::Object{{"subdivide", 1}}}}),
+  EXPECT_THAT(error_of({{"grammar", "Ff}"}, {"steps", 0}}), HasSubstr("components.plant: module 3 of the word"));
+  EXPECT_THAT(error_of({{"grammar", "F"}, {"steps", 0}, {"length", 0}, {"finish", Value::Object{{"subdivide", 1}}}}),
               HasSubstr("'finish' counts in steps of 'length', which is 0"));
 }
 
 TEST(Lsystem, FaultsOfADerivationNameTheRulesLine) {
-  EXPECT_THAT(fault_of({{"grammar", "A(1)\n#rules\nA(x) -> A(1/(1-x))\n"}, {"steps", 2}}),
+  EXPECT_THAT(error_of({{"grammar", "A(1)\n#rules\nA(x) -> A(1/(1-x))\n"}, {"steps", 2}}),
               HasSubstr("components.plant.grammar: line 3 of the grammar"));
 }
 
 TEST(Lsystem, StopsBeforeAnExplosionTakesMemory) {
-  EXPECT_THAT(fault_of({{"grammar", "F\n#rules\nF -> FFFFFFFFFF\n"}, {"steps", 40}}), HasSubstr("limits.modules"));
+  EXPECT_THAT(error_of({{"grammar", "F\n#rules\nF -> FFFFFFFFFF\n"}, {"steps", 40}}), HasSubstr("limits.modules"));
 }
 
 }  // namespace meristem::lsystem_test

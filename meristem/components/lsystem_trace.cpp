@@ -46,12 +46,12 @@ class MetInstances {
 };
 
 /// Returns the number of the requested instance.
-std::size_t number_of(const std::vector<MetInstance>& all, const LsystemTraceWish& wish) {
-  if (wish.key) {
-    const auto found = std::ranges::find(all, *wish.key, [](const MetInstance& met) { return met.site.key.bits(); });
+std::size_t number_of(const std::vector<MetInstance>& all, const LsystemTraceRequest& request) {
+  if (request.key) {
+    const auto found = std::ranges::find(all, *request.key, [](const MetInstance& met) { return met.site.key.bits(); });
     if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
   }
-  return std::min(wish.number, all.size() - 1);
+  return std::min(request.number, all.size() - 1);
 }
 
 /// Returns the component type with an expansion that records each instance in `met` and draws nothing.
@@ -94,7 +94,7 @@ std::vector<DrawnModule> places_of(const Drawing& drawing) {
 }  // namespace
 
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
-                                          const LsystemTraceWish& wish, double time, Progress& progress) {
+                                          const LsystemTraceRequest& request, double time, Progress& progress) {
   const auto found = std::ranges::find(graph.components, id, &Prototype::id);
   if (found == graph.components.end() || found->type->name != lsystem_component().name) return std::nullopt;
   MetInstances met;
@@ -105,7 +105,7 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
   const std::vector<MetInstance> all = met.take();
   if (all.empty()) return std::nullopt;
 
-  const std::size_t number = number_of(all, wish);
+  const std::size_t number = number_of(all, request);
   const auto& [plant, site, directions] = all[number];
   const Grammar& grammar = plant.source().grammar;
   LsystemTrace trace{.site = site,
@@ -120,7 +120,7 @@ std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene
                      .places = {}};
   try {
     const RandomKey key = word_key(site);
-    const double wanted = wish.steps ? *wish.steps : steps_of(plant);
+    const double wanted = request.steps ? *request.steps : steps_of(plant);
     trace.derived = derive(grammar, wanted, key, graph.limits, progress);
     trace.drawn = interpreted(grammar, trace.derived, key, graph.limits, progress);
     trace.places = places_of(draw(trace.drawn, grammar.alphabet, turtle_of(plant, directions), site.frame, graph.limits,

@@ -25,7 +25,7 @@ struct DrawnModule {
 };
 
 /// The requested instance and step.
-struct LsystemTraceWish {
+struct LsystemTraceRequest {
   std::optional<int> steps{};          ///< number of steps; unset: the instance's own
   std::optional<std::uint64_t> key{};  ///< bits of the key of the instance's site; unset or unknown: `number` is used
   std::size_t number = 0;              ///< number of the instance; too large: the last one
@@ -49,6 +49,6 @@ struct LsystemTrace {
 /// numbers among siblings. Random numbers equal the numbers of the plant's growth. Returns nothing if the component has
 /// no instance or is no lsystem. Throws what expand(), derive() and draw() throw.
 std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
-                                          const LsystemTraceWish& wish, double time, Progress& progress);
+                                          const LsystemTraceRequest& request, double time, Progress& progress);
 
 }  // namespace meristem

@@ -82,9 +82,9 @@ TEST(LsystemTrace, FindsAnInstanceByItsKeyAndByItsNumber) {
   builder.component("view", "camera").component("ring", "hydra", {{"number", 4}, {"radius", 1}});
   builder.component("plant", "lsystem", {{"grammar", "F\n#rules\nF : 1 -> F[+F]F\nF : 1 -> F[-F]FF"}, {"steps", 4}});
   builder.link("view", "ring").link("ring", "plant");
-  const auto trace = [&](const LsystemTraceWish& wish) {
+  const auto trace = [&](const LsystemTraceRequest& request) {
     Progress progress;
-    return *trace_lsystem(builder.sound_graph(), Scene(), "plant", wish, 0, progress);
+    return *trace_lsystem(builder.sound_graph(), Scene(), "plant", request, 0, progress);
   };
   const LsystemTrace first = trace({});
   EXPECT_EQ(first.number, 0U);
@@ -107,10 +107,10 @@ TEST(LsystemTrace, IsNothingForOtherComponents) {
 
 TEST(LsystemTrace, SaysTheLineOfAFault) {
   const GraphBuilder builder = traced_plant({{"grammar", "F(1)\n#rules\nF(x) -> F(1/(x-1))"}, {"steps", 0}});
-  const auto faults = faults_of([&] { trace_of(builder, 2); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.plant.grammar");
-  EXPECT_THAT(faults[0].message, HasSubstr("line 3"));
+  const auto errors = errors_of([&] { trace_of(builder, 2); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.plant.grammar");
+  EXPECT_THAT(errors[0].message, HasSubstr("line 3"));
 }
 
 }  // namespace meristem::lsystem_trace_test

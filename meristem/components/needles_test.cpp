@@ -55,8 +55,8 @@ TEST(NeedlesComponent, ChildrenStandAtTheTip) {
 
 TEST(NeedlesComponent, FaultyOnesAreRejected) {
   const auto path_of = [](const Value::Object& parameters) {
-    const auto faults = faults_of([&] { shoots(1, parameters); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { shoots(1, parameters); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of({{"sides", 4}}), "components.needles.sides");
   EXPECT_EQ(path_of({{"flatten", 2}}), "components.needles.flatten");

@@ -22,10 +22,10 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMostVoxelsAMetamer = 100;
-constexpr double kMostVoxels = 16;  // limit of a bud's range in voxels; memory of a round grows with its cube
-constexpr double kEdge = 0.05;      // share of the threshold; within it, small changes decide whether a bud grows
-constexpr int kRodSides = 8;        // sides of poles and wires
+constexpr double kMaxVoxelsAMetamer = 100;
+constexpr double kMaxVoxels = 16;  // limit of a bud's range in voxels; memory of a round grows with its cube
+constexpr double kEdge = 0.05;     // share of the threshold; within it, small changes decide whether a bud grows
+constexpr int kRodSides = 8;       // sides of poles and wires
 
 /// Returns the growth parameters with all lengths multiplied by `scale`. `axes` are the axes of the site's frame.
 OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axes) {
@@ -89,7 +89,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   OrganizeParameters growth = growth_of(tree, *scale, site.frame.axes);
   growth.directions = context.directions;
   growth.keeps_fallen = context.keeps_fallen;
-  growth.wish = context.wish;
+  growth.request = context.request;
   return make_organizer(context.stand, std::move(seeds), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component);
 }
@@ -226,7 +226,7 @@ void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader
     const std::optional<int>& number = common_of(tree.operations[k]).tree;
     if (!number || static_cast<std::size_t>(*number) < trees) continue;
     const DocumentPath operation(operations, k);
-    reader.fault(DocumentPath(operation, "tree"), fmt::format("there is no tree {}", *number),
+    reader.error(DocumentPath(operation, "tree"), fmt::format("there is no tree {}", *number),
                  fmt::format("a number of the trees at 'roots', from 0 to {}", trees - 1));
   }
 }
@@ -234,15 +234,15 @@ void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader
 void check_organize(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const BudLightModel& light = tree.light.model;
   const DocumentPath light_place(path, "light");
-  if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
-    reader.fault(DocumentPath(light_place, "voxel"), "the voxels are too small for metamers this long",
-                 fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
+  if (light.voxel > 0 && light.voxel * kMaxVoxelsAMetamer < tree.growth.length) {
+    reader.error(DocumentPath(light_place, "voxel"), "the voxels are too small for metamers this long",
+                 fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMaxVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
-  if (light.kind == BudLightModel::Kind::markers && voxels > kMostVoxels) {
-    reader.fault(DocumentPath(light_place, "spacing"),
+  if (light.kind == BudLightModel::Kind::markers && voxels > kMaxVoxels) {
+    reader.error(DocumentPath(light_place, "spacing"),
                  fmt::format("buds would look over {:.3g} markers each way", voxels),
-                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMostVoxels));
+                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMaxVoxels));
   }
   check_schedules(tree, path, reader);
   check_balance(tree, path, reader);

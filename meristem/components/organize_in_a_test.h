@@ -27,10 +27,10 @@ inline GraphBuilder leafy(const Value::Object& parameters, const Value::Object& 
 inline Skeleton skeleton_of(const Value::Object& parameters) { return tree(parameters).grow().stems.at(0).skeleton; }
 
 /// Returns the only error of reading and growing.
-inline Diagnostic fault(const Value::Object& parameters) {
-  const auto faults = faults_of([&] { tree(parameters).grow(); });
-  EXPECT_EQ(faults.size(), 1U);
-  return faults.empty() ? Diagnostic{} : faults[0];
+inline Diagnostic error(const Value::Object& parameters) {
+  const auto errors = errors_of([&] { tree(parameters).grow(); });
+  EXPECT_EQ(errors.size(), 1U);
+  return errors.empty() ? Diagnostic{} : errors[0];
 }
 
 /// Returns the warnings of reading, one per line.
@@ -40,7 +40,7 @@ inline std::string warnings(const Value::Object& parameters) {
   ParameterReader reader({}, Limits());
   const DocumentPath top;
   reader.read_varying(type.parameters, read.get(), parameters, DocumentPath(top, "tree"));
-  EXPECT_EQ(reader.fault_count(), 0U);
+  EXPECT_EQ(reader.error_count(), 0U);
   std::string texts;
   for (const Diagnostic& found : reader.diagnostics()) texts += found.text() + "\n";
   return texts;

@@ -58,22 +58,22 @@ TEST_F(OrganizeOnWood, AFileMayHaveSeveralTrees) {
   EXPECT_EQ(std::ranges::count(trees.parent, kNoNode), 2);
   Value::Object third{{"do", "cut"}, {"at", 2}, {"shoots", "leader"}, {"above", 2}, {"tree", 2}};
   const Diagnostic found =
-      fault(on(two, {{"iterations", 3}, {"operations", Value::List{Value(third)}}}, {{"unit", 0.01}}));
+      error(on(two, {{"iterations", 3}, {"operations", Value::List{Value(third)}}}, {{"unit", 0.01}}));
   EXPECT_EQ(found.path, "components.tree.operations[0].tree");
   EXPECT_EQ(found.expected, "a number of the trees at 'roots', from 0 to 1");
 }
 
 TEST_F(OrganizeOnWood, RejectsFilesWithTheirLine) {
-  const Diagnostic found = fault(on("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,9\n"));
+  const Diagnostic found = error(on("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,9\n"));
   EXPECT_EQ(found.path, "components.tree.skeleton.file");
   EXPECT_NE(found.message.find("wood.csv:3"), std::string::npos) << found.message;
 }
 
 TEST_F(OrganizeOnWood, CountsWhatStandsBeforeItIsMade) {
   const std::string tall = "x,y,z,radius,parent\n0,0,0,1,-1\n0,0,100000,1,0\n";
-  const auto faults = faults_of([&] { tree(on(tall, {{"length", 0.001}})).node_limit(20'000).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.tree.length");
+  const auto errors = errors_of([&] { tree(on(tall, {{"length", 0.001}})).node_limit(20'000).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.tree.length");
 }
 
 }  // namespace meristem::organize_on_wood_test

@@ -30,15 +30,15 @@ TEST(OrganizeComponent, CutsAShoot) {
 }
 
 TEST(OrganizeComponent, OperationsAreChecked) {
-  EXPECT_EQ(fault(operation({{"shoots", "mian"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
-  EXPECT_EQ(fault(operation({{"shoots", "mian"}, {"above", 2}})).nearest, "main");
-  EXPECT_EQ(fault(operation({{"shoots", "leder"}, {"above", 2}})).nearest, "leader");
-  EXPECT_EQ(fault(operation({{"shoots", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
-  EXPECT_EQ(fault(operation({{"above", 0}})).path, "components.tree.operations[0].above");
-  EXPECT_EQ(fault(operation({{"at", 0}, {"above", 4}})).path, "components.tree.operations[0].at");
-  EXPECT_EQ(fault(operation({{"do", "prune"}, {"above", 4}})).path, "components.tree.operations[0].do");
+  EXPECT_EQ(error(operation({{"shoots", "mian"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
+  EXPECT_EQ(error(operation({{"shoots", "mian"}, {"above", 2}})).nearest, "main");
+  EXPECT_EQ(error(operation({{"shoots", "leder"}, {"above", 2}})).nearest, "leader");
+  EXPECT_EQ(error(operation({{"shoots", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
+  EXPECT_EQ(error(operation({{"above", 0}})).path, "components.tree.operations[0].above");
+  EXPECT_EQ(error(operation({{"at", 0}, {"above", 4}})).path, "components.tree.operations[0].at");
+  EXPECT_EQ(error(operation({{"do", "prune"}, {"above", 4}})).path, "components.tree.operations[0].do");
   const Value::Object bare{{"at", 5}, {"shoots", "main"}, {"above", 3}};
-  EXPECT_NE(fault({{"operations", Value::List{Value(bare)}}}).message.find("'do'"), std::string::npos);
+  EXPECT_NE(error({{"operations", Value::List{Value(bare)}}}).message.find("'do'"), std::string::npos);
 }
 
 TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
@@ -55,7 +55,7 @@ TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
 }
 
 TEST(OrganizeComponent, AShootThatHasNotGrownIsNamedWithTheNearest) {
-  const Diagnostic found = fault(operation({{"at", 3}, {"shoots", "main.3000"}, {"above", 1}}));
+  const Diagnostic found = error(operation({{"at", 3}, {"shoots", "main.3000"}, {"above", 1}}));
   EXPECT_EQ(found.path, "components.tree.operations[0].shoots");
   EXPECT_NE(found.message.find("'main.3000'"), std::string::npos) << found.message;
   EXPECT_NE(found.expected.find("main"), std::string::npos);
@@ -192,14 +192,14 @@ TEST(OrganizeComponent, ItsSupportsAreSeen) {
 }
 
 TEST(OrganizeComponent, OperationsSayWhenAndWhere) {
-  const auto place = [](Value::Object more) { return fault(operation(std::move(more))).path; };
+  const auto place = [](Value::Object more) { return error(operation(std::move(more))).path; };
   EXPECT_EQ(place({{"above", 2}, {"above_lateral", 3}}), "components.tree.operations[0]");
   EXPECT_EQ(place({{"above", 2}, {"every", 2}}), "components.tree.operations[0].every");
   EXPECT_EQ(place({{"above", 2}, {"when", "heigth > 2"}}), "components.tree.operations[0].when");
   EXPECT_EQ(place({{"above", 2}, {"shoots", "rnk >= 2"}}), "components.tree.operations[0].shoots");
   EXPECT_EQ(place({{"above", 2}, {"tree", 1}}), "components.tree.operations[0].tree");
   const auto support = [](Value line) {
-    return fault({{"operations", Value::List{Value(Value::Object{{"do", "support"}, {"line", std::move(line)}})}}})
+    return error({{"operations", Value::List{Value(Value::Object{{"do", "support"}, {"line", std::move(line)}})}}})
         .path;
   };
   EXPECT_EQ(support(Value::List(1, Value(Value::List{0, 0, 0}))), "components.tree.operations[0].line");
@@ -208,7 +208,7 @@ TEST(OrganizeComponent, OperationsSayWhenAndWhere) {
 
 TEST(OrganizeComponent, SupportsTiesAndMarksAreChecked) {
   const auto found = [](Value::Object operation) {
-    return fault({{"operations", Value::List{Value(std::move(operation))}}});
+    return error({{"operations", Value::List{Value(std::move(operation))}}});
   };
   const Value::List line{Value::List{0, 0, 0}, Value::List{0, 1, 0}};
   EXPECT_EQ(found({{"do", "support"}}).path, "components.tree.operations[0]");
@@ -237,9 +237,9 @@ TEST(OrganizeComponent, ThereAreAsManyStatesAsAreToldApart) {
   };
   const Plant plant = read(31);
   EXPECT_EQ(plant.stems.at(0).skeleton.extra.count("mark_s30"), 1U);
-  const auto faults = faults_of([&] { read(32); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.tree.operations[31].state");
+  const auto errors = errors_of([&] { read(32); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.tree.operations[31].state");
 }
 
 TEST(OrganizeComponent, OperationsAndLeavesAskForMarks) {
@@ -312,7 +312,7 @@ TEST(OrganizeComponent, LinksAskForRankAgeAndInclination) {
 
 TEST(OrganizeComponent, ACutAboveNoLateralIsRefused) {
   for (const char* const number : {"0", "-2", "0.5", "1 / 0", "0 / 0"}) {
-    EXPECT_EQ(fault(operation({{"above_lateral", number}})).path, "components.tree.operations[0].above_lateral")
+    EXPECT_EQ(error(operation({{"above_lateral", number}})).path, "components.tree.operations[0].above_lateral")
         << number;
   }
 }

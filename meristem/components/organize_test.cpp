@@ -237,14 +237,14 @@ TEST(OrganizeComponent, WarnsOfTheKnifeEdge) {
 TEST(OrganizeComponent, WarnsWhereNothingCanGrow) {
   const std::string found = warnings({{"resource", Value::Object{{"alpha", 0.9}}}});
   EXPECT_NE(found.find("nothing will grow"), std::string::npos) << found;
-  EXPECT_EQ(fault({{"resource", Value::Object{{"alpha", 0.9}}}}).path, "components.tree.resource.alpha");
+  EXPECT_EQ(error({{"resource", Value::Object{{"alpha", 0.9}}}}).path, "components.tree.resource.alpha");
   EXPECT_EQ(warnings({{"resource", Value::Object{{"alpha", 0.9}, {"alpha0", 0.5}}}}), "");
 }
 
 TEST(OrganizeComponent, ParametersAreCheckedInTheirRanges) {
-  const auto path_of = [](const char* key, Value value) { return fault({{key, std::move(value)}}).path; };
+  const auto path_of = [](const char* key, Value value) { return error({{key, std::move(value)}}).path; };
   const auto path_in = [](const char* object, const char* key, Value value) {
-    return fault({{object, Value::Object{{key, std::move(value)}}}}).path;
+    return error({{object, Value::Object{{key, std::move(value)}}}}).path;
   };
   EXPECT_EQ(path_of("iterations", -1), "components.tree.iterations");
   EXPECT_EQ(path_of("iterations", 65536), "components.tree.iterations");
@@ -284,9 +284,9 @@ TEST(OrganizeComponent, ShootsOfTheShadowModelStayInTheirRoom) {
 }
 
 TEST(OrganizeComponent, GrowthThatExplodesStopsAtTheLimit) {
-  const auto faults = faults_of([] { tree({{"resource", Value::Object{{"alpha", 900}}}}).node_limit(20'000).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.tree.resource.alpha");
+  const auto errors = errors_of([] { tree({{"resource", Value::Object{{"alpha", 900}}}}).node_limit(20'000).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.tree.resource.alpha");
 }
 
 }  // namespace meristem::organize_test

@@ -111,16 +111,16 @@ TEST(Phiball, ChildrenOfNoSizeTakeNoPlace) {
 }
 
 TEST(Phiball, FaultsAreLocated) {
-  const auto fault = [](const Value::Object& parameters) {
-    const std::vector<Diagnostic> faults = faults_of([&] { ball_of(parameters).grow(); });
-    return faults.size() == 1 ? faults[0].path : std::to_string(faults.size()) + " faults";
+  const auto error = [](const Value::Object& parameters) {
+    const std::vector<Diagnostic> errors = errors_of([&] { ball_of(parameters).grow(); });
+    return errors.size() == 1 ? errors[0].path : std::to_string(errors.size()) + " faults";
   };
-  EXPECT_EQ(fault({{"theta1", 90}, {"theta2", 90}}), "components.ball.theta1");
-  EXPECT_EQ(fault({{"theta1", "90 + i"}, {"theta2", 90}}), "components.ball.theta1");
-  EXPECT_EQ(fault({{"radius", 1}, {"area", 1}}), "components.ball.area");
-  EXPECT_EQ(fault({{"area", 0}}), "components.ball.area");
-  EXPECT_EQ(fault({{"size", "1/(i - 3)"}}), "components.ball.size");
-  EXPECT_EQ(fault({{"number", 2e9}}), "components.seed");  // the component with the largest share
+  EXPECT_EQ(error({{"theta1", 90}, {"theta2", 90}}), "components.ball.theta1");
+  EXPECT_EQ(error({{"theta1", "90 + i"}, {"theta2", 90}}), "components.ball.theta1");
+  EXPECT_EQ(error({{"radius", 1}, {"area", 1}}), "components.ball.area");
+  EXPECT_EQ(error({{"area", 0}}), "components.ball.area");
+  EXPECT_EQ(error({{"size", "1/(i - 3)"}}), "components.ball.size");
+  EXPECT_EQ(error({{"number", 2e9}}), "components.seed");  // the component with the largest share
 }
 
 }  // namespace meristem::phiball_test

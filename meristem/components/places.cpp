@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kShareOfGrid = 0.7;  // default distance, as a share of the distance in a square grid
 constexpr double kThrows = 40;        // trials per site of an area
-constexpr double kMostThrows = 200'000'000;
+constexpr double kMaxThrows = 200'000'000;
 constexpr std::size_t kFewCorners = 1000;  // of polygons whose sites are counted before growth
 constexpr double kRounding = 1e-6;         // rounding of a line's corners, as a share of its length
 
@@ -103,15 +103,15 @@ double sites_of(const PlantedLine& line) {
 
 void check(const Places& places, const DocumentPath& path, ParameterReader& reader) {
   const auto require_few = [&](const char* name, double count) {
-    if (count > static_cast<double>(kMostRows)) {
-      reader.fault(DocumentPath(path, name), fmt::format("{:.0f} sites are too many", count),
-                   fmt::format("at most {}", kMostRows));
+    if (count > static_cast<double>(kMaxRows)) {
+      reader.error(DocumentPath(path, name), fmt::format("{:.0f} sites are too many", count),
+                   fmt::format("at most {}", kMaxRows));
     }
   };
   if (places.area) {
     const DocumentPath area(path, "area");
     if (places.area->polygon.size() < 3 || doubled_area(places.area->polygon) == 0) {
-      reader.fault(DocumentPath(area, "polygon"), "the polygon encloses nothing",
+      reader.error(DocumentPath(area, "polygon"), "the polygon encloses nothing",
                    "at least three corners [x, z] around an area");
     } else {
       require_few("area", sites_of(*places.area));
@@ -120,7 +120,7 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   if (places.line) {
     const DocumentPath line(path, "line");
     if (places.line->points.size() < 2 || length_of(places.line->points) == 0) {
-      reader.fault(DocumentPath(line, "points"), "the line has no length", "at least two different points [x, z]");
+      reader.error(DocumentPath(line, "points"), "the line has no length", "at least two different points [x, z]");
     } else {
       require_few("line", sites_of(*places.line));
     }
@@ -132,19 +132,19 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   if (column == nullptr) {
     const std::vector<std::string> names = table.names();
     const std::string nearest = reader.nearest(places.choose, names);
-    reader.fault(choose, fmt::format("'{}' has no column '{}'", places.table->file, places.choose),
+    reader.error(choose, fmt::format("'{}' has no column '{}'", places.table->file, places.choose),
                  nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     return;
   }
   if (column->has_numbers()) {
-    reader.fault(choose, fmt::format("the column '{}' of '{}' has numbers", places.choose, places.table->file),
+    reader.error(choose, fmt::format("the column '{}' of '{}' has numbers", places.choose, places.table->file),
                  "a column of texts, each the id of a component or one of 'names'");
     return;
   }
   for (const auto& [text, name] : places.names) {
     if (std::ranges::find(column->distinct, text) != column->distinct.end()) continue;
     const std::string nearest = reader.nearest(text, column->distinct);
-    reader.fault_name(DocumentPath(DocumentPath(path, "names"), text),
+    reader.error_name(DocumentPath(DocumentPath(path, "names"), text),
                       fmt::format("the column '{}' of '{}' has no '{}'", places.choose, places.table->file, text),
                       nearest.empty() ? "a text of that column" : "", nearest);
   }
@@ -280,7 +280,7 @@ double filled_share(const PlantedArea& area) {
 std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const Emitter& out) {
   const auto [low, size] = box_of(area);
   const double wanted = sites_of(area);
-  const auto throws = static_cast<std::uint64_t>(std::min(kThrows * wanted / filled_share(area), kMostThrows));
+  const auto throws = static_cast<std::uint64_t>(std::min(kThrows * wanted / filled_share(area), kMaxThrows));
   Spaced spaced(distance_of(area));
   std::vector<Place> all;
   for (std::uint64_t k = 0; k < throws && static_cast<double>(all.size()) < wanted; ++k) {
@@ -367,7 +367,7 @@ double fewest_sites(const PlantedArea& area) {
   if (area.polygon.size() > kFewCorners || crosses_itself({area.polygon.begin(), area.polygon.end()})) return 0;
   const double wanted = sites_of(area), distance = distance_of(area), surface = doubled_area(area.polygon) / 2;
   const double free = distance > 0 ? std::floor(surface / (2 * kPi * distance * distance)) : wanted;
-  const double found = std::min(kThrows * wanted, kMostThrows * filled_share(area)) / 4;
+  const double found = std::min(kThrows * wanted, kMaxThrows * filled_share(area)) / 4;
   return std::min({wanted, free, std::floor(found)});
 }
 

@@ -115,8 +115,8 @@ std::vector<Organ> stones_of_table(const std::string& text, Value::Object more =
   return stones_of(more);
 }
 
-std::vector<Diagnostic> table_faults(const std::string& text, const Value::Object& more = {}) {
-  return faults_of([&] { stones_of_table(text, more); });
+std::vector<Diagnostic> table_errors(const std::string& text, const Value::Object& more = {}) {
+  return errors_of([&] { stones_of_table(text, more); });
 }
 
 TEST(Places, PlanTablesStandAsInTheScene) {
@@ -144,13 +144,13 @@ TEST(Places, DegreesAreMetresOnTheGround) {
 }
 
 TEST(Places, RejectsATableWithoutPlacesAndSaysTheNearestName) {
-  const auto found = table_faults("lon,latt\n1,2\n");
+  const auto found = table_errors("lon,latt\n1,2\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "latt") << found[0].text();
 }
 
 TEST(Places, RejectsATextForANumberWithItsLineAndColumn) {
-  const auto found = table_faults("x,y,species\n1,2,oak\n3,east,oak\n");
+  const auto found = table_errors("x,y,species\n1,2,oak\n3,east,oak\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].message.find("table.csv:3:3"), std::string::npos) << found[0].message;
   EXPECT_NE(found[0].message.find("'east'"), std::string::npos) << found[0].message;
@@ -158,21 +158,21 @@ TEST(Places, RejectsATextForANumberWithItsLineAndColumn) {
 
 TEST(Places, RejectsNumbersThatAreOutOfRangeWithLineAndColumn) {
   for (const char* row : {"0,1e8,1", "0,1e308,1", "0,-2e7,1"}) {
-    const auto found = table_faults(std::string("x,y,scale\n1,2,1\n") + row + "\n");
+    const auto found = table_errors(std::string("x,y,scale\n1,2,1\n") + row + "\n");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NE(found[0].message.find("table.csv:3:3"), std::string::npos) << found[0].message;
   }
-  EXPECT_EQ(table_faults("x,y,years\n1,2,1e308\n").size(), 1U) << "a column that expressions may use";
+  EXPECT_EQ(table_errors("x,y,years\n1,2,1e308\n").size(), 1U) << "a column that expressions may use";
 }
 
 TEST(Places, RejectsAnEmptyCellOfAPlace) {
-  const auto found = table_faults("x,y\n1,2\n3,\n");
+  const auto found = table_errors("x,y\n1,2\n3,\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].message.find("table.csv:3"), std::string::npos) << found[0].message;
 }
 
 TEST(Places, RejectsAColumnToChooseByThatIsNotThere) {
-  const auto found = table_faults("x,y,species\n1,2,oak\n", {{"choose", "specie"}});
+  const auto found = table_errors("x,y,species\n1,2,oak\n", {{"choose", "specie"}});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "species");
 }
@@ -180,19 +180,19 @@ TEST(Places, RejectsAColumnToChooseByThatIsNotThere) {
 TEST(Places, RejectsMoreRowsThanMayBeBeforeTheyAreRead) {
   std::string text = "x,y\n";
   for (int k = 0; k < 1'002'000; ++k) text += "1,2\n";
-  const auto found = table_faults(text);
+  const auto found = table_errors(text);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].text().find("at most 1000000"), std::string::npos) << found[0].text();
 }
 
 TEST(Places, RejectsAPolygonThatEnclosesNothing) {
-  const auto found = faults_of([] { stones_of(area(1, pairs({{0, 0}, {1, 1}}))); });
+  const auto found = errors_of([] { stones_of(area(1, pairs({{0, 0}, {1, 1}}))); });
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.sites.area.polygon");
 }
 
 TEST(Places, RejectsAnAreaWithTooManySites) {
-  const auto found = faults_of([] { stones_of(area(1e6, kSquare)); });
+  const auto found = errors_of([] { stones_of(area(1e6, kSquare)); });
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].message.find("100000000 sites"), std::string::npos) << found[0].message;
 }

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 /// Returns the shared libraries of a folder, for messages.
 std::vector<std::string> libraries_beside(const fs::path& path) {
-  constexpr std::size_t kMost = 1000;
+  constexpr std::size_t kMax = 1000;
   std::vector<std::string> names;
   std::error_code error;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < kMost;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < kMax;
        entry.increment(error)) {
     const fs::path name = entry->path().filename();
     if (name.extension() == ".so") names.push_back(path.has_parent_path() ? (folder / name).string() : name.string());

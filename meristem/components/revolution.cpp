@@ -24,13 +24,13 @@ void expand(const Revolution& component, const Site&, Emitter& out) {
 }
 
 void check_silhouette(const Revolution& component, const DocumentPath& path, ParameterReader& reader) {
-  const auto fault = find_fault(component.body);
-  if (!fault) return;
+  const auto error = find_error(component.body);
+  if (!error) return;
   const DocumentPath silhouette(path, "silhouette");
-  if (fault->point) {
-    reader.fault(DocumentPath(silhouette, *fault->point), fault->message, fault->expected);
+  if (error->point) {
+    reader.error(DocumentPath(silhouette, *error->point), error->message, error->expected);
   } else {
-    reader.fault(silhouette, fault->message, fault->expected);
+    reader.error(silhouette, error->message, error->expected);
   }
 }
 

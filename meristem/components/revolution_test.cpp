@@ -56,17 +56,17 @@ TEST(RevolutionComponent, AQuarterTurnIsAWedge) {
 
 TEST(RevolutionComponent, FaultySilhouettesAreRejectedAtTheirPlace) {
   const auto path_of = [](const Value& silhouette) {
-    const auto faults = faults_of([&] { one({{"silhouette", silhouette}}); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { one({{"silhouette", silhouette}}); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of(pairs({{1, 0}})), "components.body.silhouette");
   EXPECT_EQ(path_of(pairs({{0, 0}, {-1, 1}, {0, 2}})), "components.body.silhouette[1][0]");
   EXPECT_EQ(path_of(pairs({{0, 0}, {0, 2}})), "components.body.silhouette");
   EXPECT_EQ(path_of(pairs({{0, 0}, {1, 1}, {1, 1}, {0, 2}})), "components.body.silhouette[2]");
   EXPECT_EQ(path_of(pairs({{0, 2}, {1, 1}, {0, 0}})), "components.body.silhouette");
-  EXPECT_EQ(faults_of([] { one({{"sweep", 0}}); }).at(0).path, "components.body.sweep");
-  EXPECT_EQ(faults_of([] { one({{"segments", "2 + i"}}); }).at(0).path, "components.body.segments");
-  EXPECT_EQ(faults_of([] { one({{"kind", "liner"}}); }).at(0).nearest, "linear");
+  EXPECT_EQ(errors_of([] { one({{"sweep", 0}}); }).at(0).path, "components.body.sweep");
+  EXPECT_EQ(errors_of([] { one({{"segments", "2 + i"}}); }).at(0).path, "components.body.segments");
+  EXPECT_EQ(errors_of([] { one({{"kind", "liner"}}); }).at(0).nearest, "linear");
 }
 
 }  // namespace meristem::revolution_test

@@ -87,11 +87,11 @@ double minimum_triangles(const Simple& simple, const KnownMembers& known) {
 void check_outline(const Simple& simple, const DocumentPath& path, ParameterReader& reader) {
   if (simple.outline.empty()) return;
   const DocumentPath outline(path, "outline");
-  if (const auto fault = find_fault(make_section(simple))) {
-    if (fault->point) {
-      reader.fault(DocumentPath(outline, *fault->point), fault->message, fault->expected);
+  if (const auto error = find_error(make_section(simple))) {
+    if (error->point) {
+      reader.error(DocumentPath(outline, *error->point), error->message, error->expected);
     } else {
-      reader.fault(outline, fault->message, fault->expected);
+      reader.error(outline, error->message, error->expected);
     }
   }
 }

@@ -155,15 +155,15 @@ TEST(SimpleArea, SurfacesHaveTheSameBytesOnAnyNumberOfThreads) {
 TEST(SimpleArea, LimitsNameTheComponent) {
   auto builder = petals(700, {{"place", Value::Object{{"scale", Value::List{"rand(0.5, 2)", 1, 1}}}}});
   builder.mesh_limit(50'000);
-  const auto faults = faults_of([&] { builder.grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.petal");
+  const auto errors = errors_of([&] { builder.grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.petal");
 }
 
 TEST(Simple, FaultyOutlinesAreRejectedAtTheirPlace) {
   const auto path_of = [](const char* shape, const Value& outline) {
-    const auto faults = faults_of([&] { one({{"shape", shape}, {"outline", outline}}); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { one({{"shape", shape}, {"outline", outline}}); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of("box", pairs({{0, 0}, {1, 0}, {1, 1}})), "components.body.outline");
   EXPECT_EQ(path_of("tube", pairs({{0, 0}, {1, 0}})), "components.body.outline");
@@ -173,9 +173,9 @@ TEST(Simple, FaultyOutlinesAreRejectedAtTheirPlace) {
 }
 
 TEST(Simple, WrongSizesAndShapesAreRejected) {
-  EXPECT_EQ(faults_of([] { one({{"size", Value::List{1, 0, 1}}}); }).at(0).path, "components.body.size[1]");
-  EXPECT_EQ(faults_of([] { one({{"segments", 2}}); }).at(0).path, "components.body.segments");
-  EXPECT_EQ(faults_of([] { one({{"shape", "shpere"}}); }).at(0).nearest, "sphere");
+  EXPECT_EQ(errors_of([] { one({{"size", Value::List{1, 0, 1}}}); }).at(0).path, "components.body.size[1]");
+  EXPECT_EQ(errors_of([] { one({{"segments", 2}}); }).at(0).path, "components.body.segments");
+  EXPECT_EQ(errors_of([] { one({{"shape", "shpere"}}); }).at(0).nearest, "sphere");
 }
 
 }  // namespace meristem::simple_test

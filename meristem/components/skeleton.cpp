@@ -28,16 +28,16 @@ void prepare(SkeletonFromFile& plant, const DocumentPath& path, ParameterReader&
   std::optional<Skeleton> skeleton = read_skeleton(plant.source, path, reader);
   if (!skeleton) return;
   fill_radii(*skeleton, {.tip_radius = plant.tip_radius, .exponent = plant.pipe_exponent});
-  const SkeletonFinish& wished = plant.finish;
-  if (wished.decimate > 0) *skeleton = decimate(*skeleton, wished.decimate, 0);
-  if (wished.relax) relax_angles(*skeleton);
-  if (wished.subdivide > 0) {
-    const double wanted = total_length(*skeleton) / wished.subdivide + static_cast<double>(skeleton->node_count());
+  const SkeletonFinish& requested = plant.finish;
+  if (requested.decimate > 0) *skeleton = decimate(*skeleton, requested.decimate, 0);
+  if (requested.relax) relax_angles(*skeleton);
+  if (requested.subdivide > 0) {
+    const double wanted = total_length(*skeleton) / requested.subdivide + static_cast<double>(skeleton->node_count());
     if (wanted > static_cast<double>(reader.limits().nodes)) {
       const DocumentPath finish_row(path, "finish");
-      return reader.fault_limit(DocumentPath(finish_row, "subdivide"), "nodes", wanted, reader.limits().nodes, "nodes");
+      return reader.error_limit(DocumentPath(finish_row, "subdivide"), "nodes", wanted, reader.limits().nodes, "nodes");
     }
-    *skeleton = subdivide(*skeleton, wished.subdivide);
+    *skeleton = subdivide(*skeleton, requested.subdivide);
   }
   plant.skeleton = std::make_shared<const Skeleton>(std::move(*skeleton));
 }

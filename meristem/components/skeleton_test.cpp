@@ -109,16 +109,16 @@ TEST_F(SkeletonComponent, LeavesStandOnItsTwigs) {
 }
 
 TEST_F(SkeletonComponent, FaultsNameTheFileAndTheLine) {
-  const auto fault_of = [&](const Value::Object& parameters, const std::string& file) {
-    const std::vector<Diagnostic> faults = faults_of([&] { builder(parameters, file); });
-    return faults.empty() ? "no fault" : faults[0].text();
+  const auto error_of = [&](const Value::Object& parameters, const std::string& file) {
+    const std::vector<Diagnostic> errors = errors_of([&] { builder(parameters, file); });
+    return errors.empty() ? "no fault" : errors[0].text();
   };
-  EXPECT_THAT(fault_of({}, write("a.csv", "x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,9\n")),
+  EXPECT_THAT(error_of({}, write("a.csv", "x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,9\n")),
               HasSubstr("a.csv:3': there is no parent 9"));
-  EXPECT_THAT(fault_of({{"features", Value::Object{{"x", "XXX"}}}}, write("a.mtg", kMtg)),
+  EXPECT_THAT(error_of({{"features", Value::Object{{"x", "XXX"}}}}, write("a.mtg", kMtg)),
               HasSubstr("there is no feature 'XXX'"));
-  EXPECT_THAT(fault_of({{"scale", 7}}, write("a.mtg", kMtg)), HasSubstr("there are no entities of scale 7"));
-  EXPECT_THAT(fault_of({}, (folder_ / "none.csv").string()), HasSubstr("none.csv"));
+  EXPECT_THAT(error_of({{"scale", 7}}, write("a.mtg", kMtg)), HasSubstr("there are no entities of scale 7"));
+  EXPECT_THAT(error_of({}, (folder_ / "none.csv").string()), HasSubstr("none.csv"));
 }
 
 struct TreeFacts {

@@ -31,7 +31,7 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     const PlantSource::Handle handle = document.source->handle(name);
     const DocumentPath own(set, name);
     if (!handle.is_known) {
-      reader.fault_name(own, fmt::format("'{}' has no variable or parameter '{}'", document.source->file(), name),
+      reader.error_name(own, fmt::format("'{}' has no variable or parameter '{}'", document.source->file(), name),
                         handle.nearest.empty() ? "a variable of that document, or a path such as leaf.length" : "",
                         handle.nearest);
       continue;
@@ -40,7 +40,7 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     set_value.max = handle.max;
     const bool is_beyond = set_value.value < handle.min || handle.max < set_value.value;
     if (!is_beyond || reader.is_worked_out(own) || reader.is_worked_out(DocumentPath(own, "value"))) continue;
-    reader.fault(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
+    reader.error(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
                  fmt::format("{:.12g} to {:.12g}", handle.min, handle.max));
   }
 }

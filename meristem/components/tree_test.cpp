@@ -166,14 +166,14 @@ TEST(Tree, ASpiralIsAHelix) {
 }
 
 TEST(Tree, FaultsOfAnAxisAreLocated) {
-  const auto fault = [](const Value::List& axis) {
-    const std::vector<Diagnostic> faults = faults_of([&] { trunk({{"axis", axis}}); });
-    return faults.size() == 1 ? faults[0].path : std::to_string(faults.size()) + " faults";
+  const auto error = [](const Value::List& axis) {
+    const std::vector<Diagnostic> errors = errors_of([&] { trunk({{"axis", axis}}); });
+    return errors.size() == 1 ? errors[0].path : std::to_string(errors.size()) + " faults";
   };
   const Value::List zero{0, 0, 0}, one{0, 1, 0};
-  EXPECT_EQ(fault({zero, one}), "components.trunk.axis[0]");
-  EXPECT_EQ(fault({one, one}), "components.trunk.axis[1]");
-  EXPECT_EQ(fault(Value::List(501, Value(one))), "components.trunk.axis");
+  EXPECT_EQ(error({zero, one}), "components.trunk.axis[0]");
+  EXPECT_EQ(error({one, one}), "components.trunk.axis[1]");
+  EXPECT_EQ(error(Value::List(501, Value(one))), "components.trunk.axis");
 }
 
 TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
@@ -273,9 +273,9 @@ TEST(Tree, LinksWithKeysDrawPlacesOfTheirOwn) {
 
 TEST(Tree, TooManyBranchesOfItsOwnAreStoppedAtTheTree) {
   GraphBuilder builder = trunk({{"count", 1e9}}).component("cone", "simple");
-  const std::vector<Diagnostic> faults = faults_of([&] { builder.link("trunk", "cone", LinkKind::branch).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].text(),
+  const std::vector<Diagnostic> errors = errors_of([&] { builder.link("trunk", "cone", LinkKind::branch).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].text(),
             "components.trunk.count: 1000000000 children are too many; expected at most 20000000 (limits.instances)");
 }
 
@@ -287,9 +287,9 @@ TEST(Tree, TooManyNodesAreStoppedAndNamed) {
   EXPECT_EQ(builder.node_limit(110).grow().node_count(), 110U);
   for (const int threads : {1, 8}) {
     const ThreadLimit limit(threads);
-    const std::vector<Diagnostic> faults = faults_of([&] { builder.node_limit(109).grow(); });
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].text(),
+    const std::vector<Diagnostic> errors = errors_of([&] { builder.node_limit(109).grow(); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].text(),
               "components.trunk: 110 skeleton nodes, of which trunk 110 (100 %), are too many; expected at most 109 "
               "(limits.nodes)");
   }
@@ -303,10 +303,10 @@ TEST(Tree, TooManyPixelsOfTexturesAreStoppedAndNamed) {
   };
   EXPECT_EQ(two("#405060").texture_limit(512).grow().materials.size(), 2U);
   EXPECT_EQ(two("#808080").texture_limit(256).grow().materials.size(), 2U);  // they share one
-  const std::vector<Diagnostic> faults = faults_of([&] { two("#405060").texture_limit(511).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.other.texture");
-  EXPECT_NE(faults[0].expected.find("limits.texture_pixels"), std::string::npos) << faults[0].text();
+  const std::vector<Diagnostic> errors = errors_of([&] { two("#405060").texture_limit(511).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.other.texture");
+  EXPECT_NE(errors[0].expected.find("limits.texture_pixels"), std::string::npos) << errors[0].text();
 }
 
 }  // namespace meristem::tree_test

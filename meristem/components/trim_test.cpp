@@ -166,10 +166,10 @@ TEST(Trim, TrimsHornsOfEverySection) {
 }
 
 TEST(Trim, TellsWhereNothingIsLeft) {
-  const auto faults = faults_of([] { pole("cut", -0.5).grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.pole");
-  EXPECT_NE(faults[0].message.find("trimming leaves nothing"), std::string::npos);
+  const auto errors = errors_of([] { pole("cut", -0.5).grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.pole");
+  EXPECT_NE(errors[0].message.find("trimming leaves nothing"), std::string::npos);
 }
 
 TEST(Trim, SameBytesOnAnyNumberOfThreads) {
@@ -196,15 +196,15 @@ TEST(Trim, ABodyBesideOffHoldsAlone) {
 }
 
 TEST(Trim, RefusesABodyWithoutSizeAndATrimThatSaysNothing) {
-  const auto fault = [](const Value::Object& trim) {
+  const auto error = [](const Value::Object& trim) {
     GraphBuilder builder(builtin_components());
-    const auto faults = faults_of([&] { builder.component("body", "trim", trim); });
-    return faults.empty() ? std::string() : faults[0].message;
+    const auto errors = errors_of([&] { builder.component("body", "trim", trim); });
+    return errors.empty() ? std::string() : errors[0].message;
   };
-  EXPECT_NE(fault({}), "");
-  EXPECT_EQ(fault({{"off", false}}), "a trim that is not off has no body");
-  EXPECT_NE(fault({{"body", Value::Object{{"box", box(2, 2)}}}}), "");
-  EXPECT_EQ(fault({{"body", Value::Object{{"half_space", Value::Object{{"point", Value::List{0, 1, 0}},
+  EXPECT_NE(error({}), "");
+  EXPECT_EQ(error({{"off", false}}), "a trim that is not off has no body");
+  EXPECT_NE(error({{"body", Value::Object{{"box", box(2, 2)}}}}), "");
+  EXPECT_EQ(error({{"body", Value::Object{{"half_space", Value::Object{{"point", Value::List{0, 1, 0}},
                                                                        {"normal", Value::List{0, 0, 0}}}}}}}),
             "the normal has no length");
 }

@@ -227,36 +227,36 @@ TEST(World, HornsOfOneFormAreToldApartWhereTheFieldDiffers) {
   EXPECT_EQ(prototypes_of(plant, "horn").size(), 6U);
 }
 
-std::vector<Diagnostic> faults_in(const Object& world, const Object& plant = {{"gravitropism", 0.5}}) {
-  return faults_of([&] { in_world(world, "tree", plant).grow(); });
+std::vector<Diagnostic> errors_in(const Object& world, const Object& plant = {{"gravitropism", 0.5}}) {
+  return errors_of([&] { in_world(world, "tree", plant).grow(); });
 }
 
-void expect_fault(const std::vector<Diagnostic>& faults, std::string_view path, std::string_view words) {
-  ASSERT_FALSE(faults.empty()) << path;
-  EXPECT_EQ(faults[0].path, path);
-  EXPECT_NE(faults[0].message.find(words), std::string::npos) << faults[0].message;
+void expect_error(const std::vector<Diagnostic>& errors, std::string_view path, std::string_view words) {
+  ASSERT_FALSE(errors.empty()) << path;
+  EXPECT_EQ(errors[0].path, path);
+  EXPECT_NE(errors[0].message.find(words), std::string::npos) << errors[0].message;
 }
 
 TEST(World, BadFieldsAreToldWithTheirPlace) {
-  expect_fault(faults_in({{"gravity", formula("1/x", "0", "0")}}), "components.world.gravity.formula.x",
+  expect_error(errors_in({{"gravity", formula("1/x", "0", "0")}}), "components.world.gravity.formula.x",
                "the x of the gravity field is inf at (0, 0, 0)");
-  expect_fault(faults_in({{"gravity", formula("-x", "0", "-z")}}), "components.world.gravity.formula",
+  expect_error(errors_in({{"gravity", formula("-x", "0", "-z")}}), "components.world.gravity.formula",
                "the gravity field vanishes at (0, 0, 0)");
-  expect_fault(faults_in({{"light", formula("rand()", "0", "1")}}), "components.world.light.formula.x",
+  expect_error(errors_in({{"light", formula("rand()", "0", "1")}}), "components.world.light.formula.x",
                "draws nothing");
-  expect_fault(faults_in({{"light", Object{{"uniform", vector(0, 0, 0)}}}}), "components.world.light.uniform",
+  expect_error(errors_in({{"light", Object{{"uniform", vector(0, 0, 0)}}}}), "components.world.light.uniform",
                "no length");
-  expect_fault(faults_in({{"light", Object{{"wind", Object{{"direction", vector(0, 0, 0)}}}}}}),
+  expect_error(errors_in({{"light", Object{{"wind", Object{{"direction", vector(0, 0, 0)}}}}}}),
                "components.world.light.wind.direction", "no length");
-  expect_fault(faults_in({{"light", Object{{"cylinder", Object{{"direction", vector(0, 0, 0)}}}}}}),
+  expect_error(errors_in({{"light", Object{{"cylinder", Object{{"direction", vector(0, 0, 0)}}}}}}),
                "components.world.light.cylinder.direction", "no length");
-  expect_fault(faults_in({{"light", Object{{"swirl", 1}}}}), "components.world.light.swirl", "swirl");
-  expect_fault(faults_in({{"light", Object{{"uniform", vector(0, 1, 0)}, {"toward", vector(0, 1, 0)}}}}),
+  expect_error(errors_in({{"light", Object{{"swirl", 1}}}}), "components.world.light.swirl", "swirl");
+  expect_error(errors_in({{"light", Object{{"uniform", vector(0, 1, 0)}, {"toward", vector(0, 1, 0)}}}}),
                "components.world.light", "");
-  expect_fault(faults_in({{"light", Object{{"strength", 2}}}}), "components.world.light", "");
-  expect_fault(faults_in({{"avoid", Object{{"reach", 2}}}}), "components.world.avoid", "");
+  expect_error(errors_in({{"light", Object{{"strength", 2}}}}), "components.world.light", "");
+  expect_error(errors_in({{"avoid", Object{{"reach", 2}}}}), "components.world.avoid", "");
   // A plant that does not query the field meets no error.
-  EXPECT_TRUE(faults_in({{"gravity", formula("1/x", "0", "0")}}, {}).empty());
+  EXPECT_TRUE(errors_in({{"gravity", formula("1/x", "0", "0")}}, {}).empty());
 }
 
 }  // namespace meristem::world_test

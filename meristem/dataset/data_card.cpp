@@ -27,8 +27,8 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kBins = 10;
-constexpr std::size_t kBarLength = 20;        // characters
-constexpr std::size_t kMostValuesShown = 12;  // number of different texts and other values without a number
+constexpr std::size_t kBarLength = 20;       // characters
+constexpr std::size_t kMaxValuesShown = 12;  // number of different texts and other values without a number
 constexpr std::size_t kFailuresShown = 10;
 
 /// A summary of a column of the manifest over all plants that did not fail.
@@ -61,7 +61,7 @@ void ColumnSummary::add(const std::string& field) {
     low = std::min(low, *number);
     high = std::max(high, *number);
   } else if (!field.empty()) {
-    if (others.size() < kMostValuesShown || others.contains(field)) {
+    if (others.size() < kMaxValuesShown || others.contains(field)) {
       ++others[field];
     } else {
       ++further;
@@ -106,9 +106,9 @@ struct FilesOfKind {
 
 std::string megabytes(std::uint64_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
 
-std::string bar(std::uint64_t count, std::uint64_t most) {
+std::string bar(std::uint64_t count, std::uint64_t max) {
   const auto length = static_cast<std::size_t>(std::ceil(static_cast<double>(kBarLength) * static_cast<double>(count) /
-                                                         static_cast<double>(std::max<std::uint64_t>(1, most))));
+                                                         static_cast<double>(std::max<std::uint64_t>(1, max))));
   std::string text;
   for (std::size_t k = 0; k < length; ++k) text += "█";
   return text;
@@ -122,12 +122,12 @@ std::string histogram(const ColumnSummary& column) {
   }
   std::string rows;
   if (column.high > column.low) {
-    const std::uint64_t most = *std::max_element(column.bins.begin(), column.bins.end());
+    const std::uint64_t max = *std::max_element(column.bins.begin(), column.bins.end());
     const double width = (column.high - column.low) / static_cast<double>(kBins);
     for (std::size_t k = 0; k < kBins; ++k) {
       fmt::format_to(std::back_inserter(rows), "| {:.4g} to {:.4g} | {} | {} |\n",
                      column.low + width * static_cast<double>(k), column.low + width * static_cast<double>(k + 1),
-                     column.bins[k], bar(column.bins[k], most));
+                     column.bins[k], bar(column.bins[k], max));
     }
   }
   for (const auto& [value, count] : column.others) {

@@ -40,9 +40,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFaultsTold = 100;
+constexpr std::size_t kErrorsTold = 100;
 constexpr std::size_t kFailuresTold = 10;
-constexpr std::uint64_t kMostInRange = 1000;  // plants
+constexpr std::uint64_t kMaxInRange = 1000;   // plants
 constexpr double kNewShare = 0.3;             // weight of the last range in the mean of the times
 constexpr std::uint64_t kTablesPerSave = 64;  // dataset.json is written after one new table for each 64 in it
 
@@ -90,7 +90,7 @@ class FolderLock {
 
 /// Facts found in the files with rows of a table.
 struct FoundInTable {
-  std::vector<std::string> faults;
+  std::vector<std::string> errors;
   std::vector<std::uint64_t> plants;  // existing plants
   std::vector<std::string> failures;  // key and error of each plant that failed
   std::vector<std::string> paths;     // paths of the files of all rows
@@ -120,8 +120,8 @@ struct DatasetFolder::State {
   std::uint64_t given = 0;    // all plants before this number exist or were given
   double seconds = 0;         // recent mean time per plant
   std::uint64_t largest = 0;  // largest range made so far
-  std::vector<std::string> faults;
-  std::uint64_t fault_count = 0;
+  std::vector<std::string> errors;
+  std::uint64_t error_count = 0;
   std::uint64_t failed = 0;
   std::vector<std::string> failures;
 
@@ -148,9 +148,9 @@ struct DatasetFolder::State {
   void look(bool reads_all, Progress& progress);
   void look_at(std::uint64_t table, bool reads_all, FoundInTable& found_there, Progress& progress) const;
   void take_rows(const TableRows& rows, bool reads_all, FoundInTable& found_there, Progress& progress) const;
-  void tell_fault(std::string fault) {
-    ++fault_count;
-    if (faults.size() < kFaultsTold) faults.push_back(std::move(fault));
+  void tell_error(std::string error) {
+    ++error_count;
+    if (errors.size() < kErrorsTold) errors.push_back(std::move(error));
   }
   void tell_failure(std::string failure) {
     ++failed;
@@ -237,7 +237,7 @@ void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool 
     save();
   }
   if (repairs && (!before || !before->is_as_written)) {
-    tell_fault(fmt::format("{} had changed", dataset_info_path(folder)));
+    tell_error(fmt::format("{} had changed", dataset_info_path(folder)));
   }
   if (repairs) restore_documents();
   write_plan(repairs && known.is_as_written);
@@ -249,7 +249,7 @@ void DatasetFolder::State::go_on(const std::optional<DatasetInfo>& before, bool 
 void DatasetFolder::State::write_own(const std::string& name, const std::string& text, bool tells) {
   const auto content = whole_file(path(name));
   if (content == text) return;
-  if (tells) tell_fault(fmt::format("{} {}", path(name), content ? "had changed" : "was missing"));
+  if (tells) tell_error(fmt::format("{} {}", path(name), content ? "had changed" : "was missing"));
   make_folders(fs::path(path(name)).parent_path().string());
   write_whole_file(path(name), text);
 }
@@ -288,14 +288,14 @@ void DatasetFolder::State::restore_documents() {
       const fs::path own = (fs::path(document.name) / path).lexically_normal();
       own_files.insert(own.generic_string());
       if (whole_file((documents / own).string()) == content) continue;
-      tell_fault(fmt::format("{} was missing or had changed", (documents / own).string()));
+      tell_error(fmt::format("{} was missing or had changed", (documents / own).string()));
     }
   }
   std::vector<std::string> strangers;
   each_file_below(documents.string(), [&](const std::string& path, bool is_left_over) {
     if (own_files.contains(path)) return;
     strangers.push_back((documents / path).string());
-    if (!is_left_over) tell_fault(fmt::format("{} belonged to no document and was removed", strangers.back()));
+    if (!is_left_over) tell_error(fmt::format("{} belonged to no document and was removed", strangers.back()));
   });
   for (const std::string& stranger : strangers) fs::remove(stranger);
   unpack_documents(plan, documents.string());
@@ -310,14 +310,14 @@ void DatasetFolder::State::check_files() {
       continue;
     }
     const bool is_card = file->first == kDataCardName;
-    tell_fault(fmt::format("{} {}{}", path(file->first), content ? "had changed" : "was missing",
+    tell_error(fmt::format("{} {}{}", path(file->first), content ? "had changed" : "was missing",
                            is_card ? "" : "; meristem.dataset in Python writes it again from the tables"));
     std::error_code ignored;
     fs::remove(path(file->first), ignored);
     file = info.files.erase(file);
   }
   for (const std::string& stranger : strange_tables(info, folder)) {
-    tell_fault(fmt::format("{} belonged to no table and was removed", stranger));
+    tell_error(fmt::format("{} belonged to no table and was removed", stranger));
     fs::remove(stranger);
   }
 }
@@ -342,7 +342,7 @@ void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string
   each_file_below((root / "plants").string(), [&](const std::string& path, bool is_left_over) {
     if (known_paths.contains("plants/" + path)) return;
     strangers.push_back((root / "plants" / path).string());
-    if (!is_left_over) tell_fault(fmt::format("{} belonged to no row and was removed", strangers.back()));
+    if (!is_left_over) tell_error(fmt::format("{} belonged to no row and was removed", strangers.back()));
   });
   for (const std::string& stranger : strangers) fs::remove(stranger);
 }
@@ -350,15 +350,15 @@ void DatasetFolder::State::remove_strangers(const std::unordered_set<std::string
 /// Adds the facts of the rows of a file to the facts of its table.
 void DatasetFolder::State::take_rows(const TableRows& rows, bool reads_all, FoundInTable& found_there,
                                      Progress& progress) const {
-  found_there.faults.insert(found_there.faults.end(), rows.faults.begin(), rows.faults.end());
-  std::vector<std::optional<std::string>> row_faults = faults_of_rows(rows.rows, folder, reads_all, progress);
+  found_there.errors.insert(found_there.errors.end(), rows.errors.begin(), rows.errors.end());
+  std::vector<std::optional<std::string>> row_errors = errors_of_rows(rows.rows, folder, reads_all, progress);
   for (std::size_t row = 0; row < rows.rows.size(); ++row) {
     const ManifestEntry& entry = rows.rows[row].entry;
     if (reads_all) {
       for (const PlantFile& file : entry.files) found_there.paths.push_back(file.path);
     }
-    if (row_faults[row]) {
-      found_there.faults.push_back(std::move(*row_faults[row]));
+    if (row_errors[row]) {
+      found_there.errors.push_back(std::move(*row_errors[row]));
     } else if (rows.rows[row].is_right) {
       found_there.plants.push_back(entry.number);
       if (!entry.error.empty()) found_there.failures.push_back(failure_of(rows.rows[row]));
@@ -373,9 +373,9 @@ void DatasetFolder::State::look_at(std::uint64_t table, bool reads_all, FoundInT
   const bool is_table = fs::exists(manifest_path(folder, table), error);
   if (is_table) {
     take_rows(check_table_rows(knowledge(), table), reads_all, found_there, progress);
-    found_there.is_whole = found_there.faults.empty();
+    found_there.is_whole = found_there.errors.empty();
   } else if (known.is_as_written && table < known.tables.size() && !known.tables[table].empty()) {
-    found_there.faults.push_back(fmt::format("{} was missing", manifest_path(folder, table)));
+    found_there.errors.push_back(fmt::format("{} was missing", manifest_path(folder, table)));
   }
   const auto own = parts.find(table);
   if (own == parts.end()) return;
@@ -415,7 +415,7 @@ void DatasetFolder::State::look(bool reads_all, Progress& progress) {
   std::vector<std::uint64_t> unmerged;
   std::vector<std::uint64_t> whole;
   for (std::uint64_t table = 0; table < tables; ++table) {
-    for (std::string& fault : in_tables[table].faults) tell_fault(std::move(fault));
+    for (std::string& error : in_tables[table].errors) tell_error(std::move(error));
     std::uint32_t left = static_cast<std::uint32_t>(end_of(table) - table * info.rows);
     for (const std::uint64_t plant : in_tables[table].plants) {
       if (is_there[plant]) continue;
@@ -450,7 +450,7 @@ void DatasetFolder::State::adopt(std::uint64_t table, bool tells) {
   const std::string text = whole_file(manifest_path(folder, table)).value_or("");
   const TableHashes made = hashes_of_table(info, text);
   const std::string path = table_hashes_path(folder, table);
-  if (tells && !known_hash.empty()) tell_fault(fmt::format("{} was missing or had changed", path));
+  if (tells && !known_hash.empty()) tell_error(fmt::format("{} was missing or had changed", path));
   make_folders(fs::path(path).parent_path().string());
   write_whole_file(path, table_hashes_text(made));
   info.tables[table] = made.table;
@@ -465,7 +465,7 @@ void DatasetFolder::State::merge(std::uint64_t table) {
       const auto [known_row, is_new] = rows.try_emplace(row.entry.number, row);
       if (is_new || known_row->second.line == row.line) continue;
       // A plant that was made again also has an older row, which does not describe its present files.
-      if (fault_of_files(known_row->second.entry, folder, true, progress)) known_row->second = std::move(row);
+      if (error_of_files(known_row->second.entry, folder, true, progress)) known_row->second = std::move(row);
     }
   };
   for (const std::string& part : parts[table]) take(check_part_rows(knowledge(), part, table));
@@ -559,8 +559,8 @@ const std::string& DatasetFolder::path() const { return state_->folder; }
 std::uint64_t DatasetFolder::total() const { return state_->info.plants; }
 std::uint64_t DatasetFolder::done() const { return state_->there; }
 std::uint64_t DatasetFolder::found() const { return state_->found; }
-const std::vector<std::string>& DatasetFolder::faults() const { return state_->faults; }
-std::uint64_t DatasetFolder::fault_count() const { return state_->fault_count; }
+const std::vector<std::string>& DatasetFolder::errors() const { return state_->errors; }
+std::uint64_t DatasetFolder::error_count() const { return state_->error_count; }
 std::uint64_t DatasetFolder::failed() const { return state_->failed; }
 const std::vector<std::string>& DatasetFolder::failures() const { return state_->failures; }
 
@@ -580,9 +580,9 @@ std::optional<PlantRange> DatasetFolder::next(double seconds) {
   // Until the first range is done, the time per plant is unknown.
   const double wanted = state.seconds > 0 ? seconds / state.seconds : 1;
   // At most twice the largest range so far, because the first plants may have been fast by chance.
-  const std::uint64_t limit = std::clamp<std::uint64_t>(2 * state.largest, 1, kMostInRange);
-  const auto most = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(limit)));
-  const std::uint64_t last = std::min(state.end_of(state.given / state.info.rows), state.given + most);
+  const std::uint64_t limit = std::clamp<std::uint64_t>(2 * state.largest, 1, kMaxInRange);
+  const auto max = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(limit)));
+  const std::uint64_t last = std::min(state.end_of(state.given / state.info.rows), state.given + max);
   PlantRange range{state.given, state.given + 1};
   while (range.end < last && !state.is_there[range.end]) ++range.end;
   state.given = range.end;

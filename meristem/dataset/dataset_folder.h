@@ -40,8 +40,8 @@ class DatasetFolder {
   std::uint64_t done() const;       ///< number of existing plants
   std::uint64_t found() const;      ///< number of plants that existed when the folder was opened
   /// Faults of existing plants, which will be made again: one line each, at most the first hundred.
-  const std::vector<std::string>& faults() const;
-  std::uint64_t fault_count() const;  ///< number of all faults
+  const std::vector<std::string>& errors() const;
+  std::uint64_t error_count() const;  ///< number of all faults
 
   /// Number of plants that have failed: their row has an error, and they have no files.
   std::uint64_t failed() const;

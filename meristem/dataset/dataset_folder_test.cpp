@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kRods = R"({"meristem_dataset": 1, "name": "Rods", "licence": "CC0-1.0", "seeds": 25, "rows": 10,
   "files": [".ply"], "measures": ["height"], "vary": {"tall": {"uniform": [0.5, 2]}}})";
 
-std::string fault_of(const DatasetPlan& plan, const std::string& path,
+std::string error_of(const DatasetPlan& plan, const std::string& path,
                      DatasetOpening opening = DatasetOpening::resume) {
   try {
     Progress progress;
@@ -32,7 +32,7 @@ std::string fault_of(const DatasetPlan& plan, const std::string& path,
 
 std::vector<std::string> verified(const std::string& path) {
   Progress progress;
-  return verify_dataset(path, builtin_components(), "", progress).faults;
+  return verify_dataset(path, builtin_components(), "", progress).errors;
 }
 
 TEST(DatasetFolder, IsTheSameInOneGoAndInPieces) {
@@ -99,11 +99,11 @@ TEST(DatasetFolder, RepairsABitThatHasTurned) {
   std::string bytes = file_content(folder / "rods/plants/0000/000020.ply");
   bytes.back() = static_cast<char>(bytes.back() ^ 1);
   write_content(folder / "rods/plants/0000/000020.ply", bytes);
-  const auto faults = verified(folder / "rods");
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].find("000020.ply has other bytes"), std::string::npos);
+  const auto errors = verified(folder / "rods");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].find("000020.ply has other bytes"), std::string::npos);
   EXPECT_EQ(make_plants(plan, folder / "rods"), 0U) << "sizes are right";
-  EXPECT_EQ(make_plants(plan, folder / "rods", kMostPlants, DatasetOpening::repair), 1U);
+  EXPECT_EQ(make_plants(plan, folder / "rods", kMaxPlants, DatasetOpening::repair), 1U);
   EXPECT_EQ(files_below(folder / "rods"), whole);
 }
 
@@ -127,10 +127,10 @@ TEST(DatasetFolder, FindsStrangeFilesAndChangedDocuments) {
   make_plants(plan, folder / "rods");
   write_content(folder / "rods/plants/0000/stranger.ply", "");
   write_content(folder / "rods/documents/rod/rod.json", "{}");
-  const auto faults = verified(folder / "rods");
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_NE(faults[0].find("documents/rod/rod.json has changed"), std::string::npos);
-  EXPECT_NE(faults[1].find("stranger.ply belongs to no row"), std::string::npos);
+  const auto errors = verified(folder / "rods");
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_NE(errors[0].find("documents/rod/rod.json has changed"), std::string::npos);
+  EXPECT_NE(errors[1].find("stranger.ply belongs to no row"), std::string::npos);
 }
 
 TEST(DatasetFolder, RepairsDocumentsAndRemovesStrangers) {
@@ -146,7 +146,7 @@ TEST(DatasetFolder, RepairsDocumentsAndRemovesStrangers) {
   Progress progress;
   {
     const DatasetFolder opened(plan, folder / "rods", DatasetOpening::repair, progress);
-    EXPECT_EQ(opened.fault_count(), 5U);
+    EXPECT_EQ(opened.error_count(), 5U);
     EXPECT_EQ(opened.found(), 24U);
   }
   make_plants(plan, folder / "rods");
@@ -163,7 +163,7 @@ TEST(DatasetFolder, FilesThatAKilledProgramLeftHalfWrittenAreNoFaults) {
   write_content(folder / "rods/documents/rod/.rod.json.4711-1.part", "{");
   EXPECT_TRUE(verified(folder / "rods").empty());
   Progress progress;
-  EXPECT_EQ(DatasetFolder(plan, folder / "rods", DatasetOpening::repair, progress).fault_count(), 0U);
+  EXPECT_EQ(DatasetFolder(plan, folder / "rods", DatasetOpening::repair, progress).error_count(), 0U);
   EXPECT_EQ(files_below(folder / "rods"), whole) << "they are removed";
 }
 
@@ -174,8 +174,8 @@ TEST(DatasetFolder, TellsWhereADamagedDocumentOfItsOwnComesFrom) {
   write_content(folder / "rods/documents/rod/rod.json", std::string(kRod) + " ");
   const std::string file = folder / "rods/plan.json";
   const DatasetPlan own = read_dataset_plan(file_content(file), file, builtin_components());
-  EXPECT_NE(fault_of(own, folder / "rods", DatasetOpening::repair).find("meristem dataset PLAN -o"), std::string::npos);
-  EXPECT_EQ(fault_of(plan, folder / "rods", DatasetOpening::repair), "");
+  EXPECT_NE(error_of(own, folder / "rods", DatasetOpening::repair).find("meristem dataset PLAN -o"), std::string::npos);
+  EXPECT_EQ(error_of(plan, folder / "rods", DatasetOpening::repair), "");
   EXPECT_TRUE(verified(folder / "rods").empty());
 }
 
@@ -229,18 +229,18 @@ TEST(DatasetFolder, RefusesWhatIsNotItsOwnAndChangesNothing) {
   make_plants(plan, folder / "rods", 5);
   const auto before = files_below(folder / "rods");
   const DatasetPlan other = rod_plan(R"({"meristem_dataset": 1, "seeds": 3, "files": [".ply"]})");
-  EXPECT_NE(fault_of(other, folder / "rods").find("another plan: 'Rods', 25 plants"), std::string::npos);
+  EXPECT_NE(error_of(other, folder / "rods").find("another plan: 'Rods', 25 plants"), std::string::npos);
   const DatasetPlan edited = rod_plan(kRods, std::string(kRod) + " ");
-  EXPECT_NE(fault_of(edited, folder / "rods").find("the document 'rod' or a file that it names has changed"),
+  EXPECT_NE(error_of(edited, folder / "rods").find("the document 'rod' or a file that it names has changed"),
             std::string::npos);
-  EXPECT_NE(fault_of(plan, folder / "rods", DatasetOpening::fresh).find("holds a data set already"), std::string::npos);
+  EXPECT_NE(error_of(plan, folder / "rods", DatasetOpening::fresh).find("holds a data set already"), std::string::npos);
   EXPECT_EQ(files_below(folder / "rods"), before);
 
   fs::create_directory(folder / "mine");
   write_content(folder / "mine/letters.txt", "dear");
-  EXPECT_NE(fault_of(plan, folder / "mine").find("holds 'letters.txt' and no data set"), std::string::npos);
+  EXPECT_NE(error_of(plan, folder / "mine").find("holds 'letters.txt' and no data set"), std::string::npos);
   EXPECT_EQ(files_below(folder / "mine").size(), 1U);
-  EXPECT_NE(fault_of(plan, folder / "mine/letters.txt").find("this is a file"), std::string::npos);
+  EXPECT_NE(error_of(plan, folder / "mine/letters.txt").find("this is a file"), std::string::npos);
 }
 
 TEST(DatasetFolder, GoesOnAfterAFullDisk) {

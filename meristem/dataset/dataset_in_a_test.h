@@ -48,15 +48,15 @@ inline std::map<std::string, std::string> files_below(const std::filesystem::pat
   return files;
 }
 
-/// Makes up to `most` missing plants, as a program does, and writes the data card once all exist. Returns the number of
+/// Makes up to `max` missing plants, as a program does, and writes the data card once all exist. Returns the number of
 /// plants made.
-inline std::uint64_t make_plants(const DatasetPlan& plan, const std::string& path, std::uint64_t most = kMostPlants,
+inline std::uint64_t make_plants(const DatasetPlan& plan, const std::string& path, std::uint64_t max = kMaxPlants,
                                  DatasetOpening opening = DatasetOpening::resume) {
   Progress progress;
   DatasetFolder folder(plan, path, opening, progress);
   PlantMaker maker(plan, builtin_components(), {.documents = path + "/documents"});
   std::uint64_t made = 0;
-  while (made < most) {
+  while (made < max) {
     const auto range = folder.next();
     if (!range) break;
     make_range(maker, plan, *range, path, progress);

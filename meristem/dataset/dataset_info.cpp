@@ -140,8 +140,8 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
   try {
     text = read_text_file(path);
     value = parse_json(text);
-  } catch (const InputError& fault) {
-    Diagnostic told = fault.diagnostics().front();
+  } catch (const InputError& error) {
+    Diagnostic told = error.diagnostics().front();
     told.file = path;
     told.expected = "the dataset.json of a data set";
     throw InputError(std::move(told));
@@ -156,8 +156,7 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
                    .plants = count_member(value, "plants"),
                    .rows = count_member(value, "rows"),
                    .documents = {}};
-  if (info.plants < 1 || info.rows < 1 || info.plants > kMostPlants)
-    throw wrong("it says no number of plants and rows");
+  if (info.plants < 1 || info.rows < 1 || info.plants > kMaxPlants) throw wrong("it says no number of plants and rows");
   if (const Value* documents = value.find("documents"); documents != nullptr && documents->list() != nullptr) {
     for (const Value& document : *documents->list()) {
       info.documents.push_back({text_member(document, "name"), text_member(document, "document"),

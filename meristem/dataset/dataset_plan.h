@@ -29,7 +29,7 @@ struct PlantOutput;
 /// The newest format of plans that this program reads.
 inline constexpr int kDatasetPlanFormat = 1;
 /// The most plants that one plan may ask for.
-inline constexpr std::uint64_t kMostPlants = 1'000'000'000;
+inline constexpr std::uint64_t kMaxPlants = 1'000'000'000;
 
 /// Pairs of a path as in `--set` and a value.
 using PathValues = std::vector<std::pair<std::string, Value>>;

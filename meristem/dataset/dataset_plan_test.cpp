@@ -12,7 +12,7 @@
 
 namespace meristem::dataset_plan_test {
 
-std::vector<Diagnostic> faults_of(const std::string& text) {
+std::vector<Diagnostic> errors_of(const std::string& text) {
   try {
     rod_plan(text);
   } catch (const InputError& error) {
@@ -101,27 +101,27 @@ TEST(DatasetPlan, HasAnotherHashOnlyWhereItMakesSomethingElse) {
 }
 
 TEST(DatasetPlan, TellsFaultsWithPlaceAndNearestName) {
-  const auto faults = faults_of(
+  const auto errors = errors_of(
       "{\"meristem_dataset\": 1,\n \"seedz\": 3,\n \"files\": [\".gbl\"],\n"
       " \"measures\": [\"hight\"]}");
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(faults[0].file, "plan.json");
-  EXPECT_EQ(faults[0].line, 2);
-  EXPECT_EQ(faults[0].nearest, "seeds");
-  EXPECT_EQ(faults[1].line, 3);
-  EXPECT_EQ(faults[1].nearest, ".glb");
-  EXPECT_EQ(faults[2].line, 4);
-  EXPECT_EQ(faults[2].nearest, "height");
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_EQ(errors[0].file, "plan.json");
+  EXPECT_EQ(errors[0].line, 2);
+  EXPECT_EQ(errors[0].nearest, "seeds");
+  EXPECT_EQ(errors[1].line, 3);
+  EXPECT_EQ(errors[1].nearest, ".glb");
+  EXPECT_EQ(errors[2].line, 4);
+  EXPECT_EQ(errors[2].nearest, "height");
 }
 
 TEST(DatasetPlan, TellsValuesThatDoNotSuitADocumentWhereTheyStand) {
-  const auto faults = faults_of(
+  const auto errors = errors_of(
       "{\"meristem_dataset\": 1, \"files\": [\".csv\"],\n \"set\": {\"talll\": 1},\n"
       " \"grid\": {\"rod.size[0]\": [0.1, \"wide\"]}}");
-  ASSERT_FALSE(faults.empty());
-  EXPECT_EQ(faults[0].line, 2);
-  EXPECT_EQ(faults[0].nearest, "tall");
-  const auto second = faults_of(
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors[0].line, 2);
+  EXPECT_EQ(errors[0].nearest, "tall");
+  const auto second = errors_of(
       "{\"meristem_dataset\": 1, \"files\": [\".csv\"],\n"
       " \"grid\": {\"rod.size[0]\":\n [0.1, \"wide\"]}}");
   ASSERT_EQ(second.size(), 1U);
@@ -155,17 +155,17 @@ TEST(DatasetPlan, RefusesWhatItCannotMean) {
       {R"({"meristem_dataset": 1, "files": [{"ending": ".scan.las", "aroun": 3}]})", "files[0].aroun"},
   };
   for (const auto& [text, path] : cases) {
-    const auto faults = faults_of(text);
-    ASSERT_EQ(faults.size(), 1U) << text;
-    EXPECT_EQ(faults[0].path, path) << text;
-    EXPECT_EQ(faults[0].file, "plan.json") << text;
-    EXPECT_FALSE(faults[0].expected.empty()) << text;
+    const auto errors = errors_of(text);
+    ASSERT_EQ(errors.size(), 1U) << text;
+    EXPECT_EQ(errors[0].path, path) << text;
+    EXPECT_EQ(errors[0].file, "plan.json") << text;
+    EXPECT_FALSE(errors[0].expected.empty()) << text;
   }
 }
 
 TEST(DatasetPlan, HasSentencesForItsRows) {
   for (const ParameterTable* table : {&plan_table(), &picture_plan_table()}) {
-    for (const Parameter& row : table->parameters) EXPECT_EQ(sentence_fault(row.doc), "") << row.name;
+    for (const Parameter& row : table->parameters) EXPECT_EQ(sentence_error(row.doc), "") << row.name;
   }
 }
 

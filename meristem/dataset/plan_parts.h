@@ -9,7 +9,7 @@
 namespace meristem {
 
 /// Minimum share of a distribution's values within its bounds. A smaller share would need too many draws.
-inline constexpr double kLeastShareWithin = 0.01;
+inline constexpr double kMinShareWithin = 0.01;
 
 /// Returns a hash of a plan, without names and descriptions.
 std::string hash_of_plan(const Value& tree);

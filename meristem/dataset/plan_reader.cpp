@@ -31,9 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPlanDocuments = 1000;
-constexpr std::size_t kMostTries = 200;  // number of values that are tried on a document
-constexpr char kFromPlan = '\x1f';       // begins the name of a value that the plan sets; the value's path follows
+constexpr std::size_t kMaxPlanDocuments = 1000;
+constexpr std::size_t kMaxTries = 200;  // number of values that are tried on a document
+constexpr char kFromPlan = '\x1f';      // begins the name of a value that the plan sets; the value's path follows
 
 /// Adds values of a plan as overrides of a document. The name of each override is its position in the plan.
 void add_overrides(const PathValues& values, const std::string& place, std::vector<Override>& overrides) {
@@ -59,12 +59,12 @@ class PlanReader {
     read_values();
     read_files();
     read_measures();
-    if (plan_.files.empty() && plan_.measures.empty() && !plan_.pictures && reader_.fault_count() == 0) {
-      reader_.fault(top_, "the plan keeps nothing of its plants",
+    if (plan_.files.empty() && plan_.measures.empty() && !plan_.pictures && reader_.error_count() == 0) {
+      reader_.error(top_, "the plan keeps nothing of its plants",
                     "one or more of \"files\", \"pictures\" and \"measures\"");
     }
-    if (reader_.fault_count() == 0) read_documents();
-    if (reader_.fault_count() == 0 && others_.empty()) check_count();
+    if (reader_.error_count() == 0) read_documents();
+    if (reader_.error_count() == 0 && others_.empty()) check_count();
     finish();
     return std::move(plan_);
   }
@@ -89,7 +89,7 @@ class PlanReader {
   /// Reads an object of paths and values. Reports a fault for any other value and returns nothing.
   std::optional<PathValues> paths_and_values(const Value& given, const DocumentPath& path, std::string_view what) {
     if (given.object() == nullptr) {
-      reader_.fault(path, fmt::format("{} {}", what, given.description()),
+      reader_.error(path, fmt::format("{} {}", what, given.description()),
                     "an object of values by their paths, such as {\"age\": 20}");
       return std::nullopt;
     }
@@ -97,9 +97,9 @@ class PlanReader {
     for (const auto& [name, value] : *given.object()) {
       const DocumentPath own(path, name);
       if (name == "seed") {
-        reader_.fault_name(own, "seeds are not set by a value", "\"seeds\" of the plan", "");
+        reader_.error_name(own, "seeds are not set by a value", "\"seeds\" of the plan", "");
       } else if (path_elements(name).empty()) {
-        reader_.fault_name(own, fmt::format("'{}' is not a path", name),
+        reader_.error_name(own, fmt::format("'{}' is not a path", name),
                            "one such as age, stem.length or links[1].density", "");
       } else {
         values.emplace_back(name, value);
@@ -115,7 +115,7 @@ class PlanReader {
     const Value* const grid = plan_.tree.find("grid");
     const Value* const samples = plan_.tree.find("samples");
     if (grid != nullptr && samples != nullptr) {
-      reader_.fault_name(DocumentPath(top_, "samples"), "a plan has a grid or samples, not both", "one of them", "");
+      reader_.error_name(DocumentPath(top_, "samples"), "a plan has a grid or samples, not both", "one of them", "");
       return;
     }
     if (grid != nullptr) read_grid(*grid, DocumentPath(top_, "grid"));
@@ -128,7 +128,7 @@ class PlanReader {
     for (const auto& [name, value] : *given) {
       const DocumentPath own(path, name);
       if (std::find(plan_.columns.begin(), plan_.columns.end(), name) != plan_.columns.end()) {
-        reader_.fault_name(own, fmt::format("'{}' has a distribution and other values as well", name), "one of them",
+        reader_.error_name(own, fmt::format("'{}' has a distribution and other values as well", name), "one of them",
                            "");
       }
       if (auto variation = read_variation(value, own, reader_)) {
@@ -143,7 +143,7 @@ class PlanReader {
     if (!given) return;
     for (const auto& [name, values] : *given) {
       if (values.list() == nullptr || values.list()->empty()) {
-        reader_.fault(DocumentPath(path, name), fmt::format("a path of the grid cannot have {}", values.description()),
+        reader_.error(DocumentPath(path, name), fmt::format("a path of the grid cannot have {}", values.description()),
                       "a list of at least one value");
         continue;
       }
@@ -154,7 +154,7 @@ class PlanReader {
 
   void read_samples(const Value& samples, const DocumentPath& path) {
     if (samples.list() == nullptr || samples.list()->empty()) {
-      reader_.fault(path, fmt::format("the samples are {}", samples.description()),
+      reader_.error(path, fmt::format("the samples are {}", samples.description()),
                     "a list of objects, such as [{\"age\": 20}, {\"age\": 40}]");
       return;
     }
@@ -174,7 +174,7 @@ class PlanReader {
     if (given == nullptr) return;
     const DocumentPath path(top_, "files");
     if (given->list() == nullptr) {
-      reader_.fault(path, fmt::format("the files are {}", given->description()),
+      reader_.error(path, fmt::format("the files are {}", given->description()),
                     "a list of endings, such as [\".glb\", \".mtg\"]");
       return;
     }
@@ -185,7 +185,7 @@ class PlanReader {
       const DocumentPath own(path, k);
       const Value* const said = element.object() == nullptr ? &element : element.find("ending");
       if (said == nullptr || said->text() == nullptr) {
-        reader_.fault(own, fmt::format("a file cannot be {}", element.description()),
+        reader_.error(own, fmt::format("a file cannot be {}", element.description()),
                       "an ending such as \".glb\", or an object with \"ending\" and settings");
         continue;
       }
@@ -193,14 +193,14 @@ class PlanReader {
       if (!ending.starts_with('.')) ending.insert(0, ".");
       const PlantOutput* const output = find_plant_output(ending);
       if (output == nullptr) {
-        reader_.fault(element.object() == nullptr ? own : DocumentPath(own, "ending"),
+        reader_.error(element.object() == nullptr ? own : DocumentPath(own, "ending"),
                       fmt::format("'{}' is not a format that can be written", *said->text()),
                       fmt::format("one of {}", fmt::join(endings, ", ")), nearest_name(ending, endings));
         continue;
       }
       const auto is_it = [output](const PlannedFile& file) { return file.output == output; };
       if (std::any_of(plan_.files.begin(), plan_.files.end(), is_it)) {
-        reader_.fault(own, fmt::format("'{}' stands twice", ending), "each ending once");
+        reader_.error(own, fmt::format("'{}' stands twice", ending), "each ending once");
       }
       plan_.files.push_back({output, settings_of(*output, element, own)});
     }
@@ -215,7 +215,7 @@ class PlanReader {
     if (output.settings != nullptr) names = output.settings().names();
     for (const auto& [name, value] : *settings.object()) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-      reader_.fault_name(DocumentPath(path, name), fmt::format("'{}' is no setting of {} files", name, output.ending),
+      reader_.error_name(DocumentPath(path, name), fmt::format("'{}' is no setting of {} files", name, output.ending),
                          names.empty() ? "no settings" : fmt::format("one of {}", fmt::join(names, ", ")),
                          nearest_name(name, names));
       return {};
@@ -224,9 +224,9 @@ class PlanReader {
       try {
         output.check(settings);
       } catch (const InputError& error) {
-        for (const Diagnostic& fault : error.diagnostics()) {
-          reader_.fault(fault.path.empty() ? path : DocumentPath(path, fault.path), fault.message, fault.expected,
-                        fault.nearest);
+        for (const Diagnostic& error : error.diagnostics()) {
+          reader_.error(error.path.empty() ? path : DocumentPath(path, error.path), error.message, error.expected,
+                        error.nearest);
         }
       }
     }
@@ -247,7 +247,7 @@ class PlanReader {
       return;
     }
     if (given->list() == nullptr) {
-      reader_.fault(path, fmt::format("the measures are {}", given->description()),
+      reader_.error(path, fmt::format("the measures are {}", given->description()),
                     "a list of names, such as [\"height\", \"leaf_area\"], or \"all\"");
       return;
     }
@@ -256,7 +256,7 @@ class PlanReader {
       const bool is_known =
           element.text() != nullptr && std::find(names.begin(), names.end(), *element.text()) != names.end();
       if (!is_known) {
-        reader_.fault(DocumentPath(path, k), fmt::format("there is no measure that is {}", element.description()),
+        reader_.error(DocumentPath(path, k), fmt::format("there is no measure that is {}", element.description()),
                       fmt::format("one of {}", fmt::join(names, ", ")),
                       element.text() == nullptr ? "" : nearest_name(*element.text(), names));
       } else if (std::find(plan_.measures.begin(), plan_.measures.end(), *element.text()) == plan_.measures.end()) {
@@ -312,12 +312,12 @@ class PlanReader {
         if (std::error_code error; !fs::exists(one.file, error)) read_file(one.file, Limits().file_bytes);
         one.text = read_text_file(one.file);
       } catch (const InputError& error) {
-        const Diagnostic& fault = error.diagnostics().front();
-        const fs::path nearest = fs::path(fault.nearest).lexically_relative(fs::path(file_).parent_path());
-        reader_.fault(own, fault.message, fault.expected, nearest.empty() ? fault.nearest : nearest.string());
+        const Diagnostic& error = error.diagnostics().front();
+        const fs::path nearest = fs::path(error.nearest).lexically_relative(fs::path(file_).parent_path());
+        reader_.error(own, error.message, error.expected, nearest.empty() ? error.nearest : nearest.string());
         continue;
       } catch (const MachineError& error) {
-        reader_.fault(own, error.what(), "a document, or the name of a shipped model");
+        reader_.error(own, error.what(), "a document, or the name of a shipped model");
         continue;
       }
       if (const Value* set = (*list->list())[k].find("set")) {
@@ -331,19 +331,19 @@ class PlanReader {
   void read_documents() {
     const DocumentPath path(top_, "documents");
     std::vector<Named> named = named_documents();
-    if (reader_.fault_count() > 0) return;
+    if (reader_.error_count() > 0) return;
     if (named.empty()) {
-      return reader_.fault(top_, "the plan has no documents", "a list such as \"documents\": [\"oak\"]");
+      return reader_.error(top_, "the plan has no documents", "a list such as \"documents\": [\"oak\"]");
     }
-    if (named.size() > kMostPlanDocuments) {
-      return reader_.fault(path, fmt::format("{} documents are too many", named.size()),
-                           fmt::format("at most {}", kMostPlanDocuments));
+    if (named.size() > kMaxPlanDocuments) {
+      return reader_.error(path, fmt::format("{} documents are too many", named.size()),
+                           fmt::format("at most {}", kMaxPlanDocuments));
     }
     std::set<std::string> names;
     for (Named& one : named) {
       one.name = file_word(one.name);
       if (!names.insert(one.name).second) {
-        reader_.fault(path, fmt::format("two documents are called '{}'", one.name), "a \"name\" for one of them");
+        reader_.error(path, fmt::format("two documents are called '{}'", one.name), "a \"name\" for one of them");
         continue;
       }
       read_document_of(one);
@@ -361,7 +361,7 @@ class PlanReader {
     planned.licence = document->licence;
     for (const Diagnostic& warning : document->warnings) plan_.warnings.push_back(warning);
     for (auto& [path, variation] : planned.vary) bound(path, variation, *document);
-    if (reader_.fault_count() == 0) try_values(named, planned);
+    if (reader_.error_count() == 0) try_values(named, planned);
     plan_.documents.push_back(std::move(planned));
   }
 
@@ -374,10 +374,10 @@ class PlanReader {
       if (said->find("min") != nullptr) variation.low = variable.min;
       if (said->find("max") != nullptr) variation.high = variable.max;
     }
-    if (variation.share_within() >= kLeastShareWithin) return;
+    if (variation.share_within() >= kMinShareWithin) return;
     const DocumentPath vary(top_, "vary");
     const double inf = std::numeric_limits<double>::infinity();
-    reader_.fault(DocumentPath(vary, path),
+    reader_.error(DocumentPath(vary, path),
                   fmt::format("less than a hundredth of this distribution lies from {} to {}",
                               variation.low.value_or(-inf), variation.high.value_or(inf)),
                   "a distribution within the range of the variable, or bounds in \"within\"");
@@ -411,34 +411,34 @@ class PlanReader {
                             .store = &store_,
                             .models = options_.models});
     } catch (const InputError& error) {
-      for (const Diagnostic& fault : error.diagnostics()) add_fault(fault, named);
+      for (const Diagnostic& error : error.diagnostics()) add_error(error, named);
       return std::nullopt;
     }
   }
 
   /// Adds a fault of a document. If the plan has set the faulty value, the fault is placed there.
-  void add_fault(Diagnostic fault, const Named& named) {
-    if (fault.severity != Severity::error) return;
-    if (!fault.file.starts_with(kFromPlan)) {
-      others_.push_back(std::move(fault));
+  void add_error(Diagnostic error, const Named& named) {
+    if (error.severity != Severity::error) return;
+    if (!error.file.starts_with(kFromPlan)) {
+      others_.push_back(std::move(error));
       return;
     }
-    const std::string place = fault.file.substr(1);
-    fault.message = fmt::format("{} in the document '{}': {}", fault.path, named.name, fault.message);
-    fault.path = place;
-    fault.file.clear();
-    fault.text_offset = -1;
-    fault.line = fault.column = 0;
+    const std::string place = error.file.substr(1);
+    error.message = fmt::format("{} in the document '{}': {}", error.path, named.name, error.message);
+    error.path = place;
+    error.file.clear();
+    error.text_offset = -1;
+    error.line = error.column = 0;
     const auto is_equal = [&](const Diagnostic& other) {
-      return other.path == fault.path && other.message == fault.message;
+      return other.path == error.path && other.message == error.message;
     };
-    if (std::none_of(own_.begin(), own_.end(), is_equal)) own_.push_back(std::move(fault));
+    if (std::none_of(own_.begin(), own_.end(), is_equal)) own_.push_back(std::move(error));
   }
 
   void try_values(const Named& named, const PlannedDocument& planned) {
     std::size_t tries = 0;
     const auto attempt = [&](const std::string& path, const Value& value, const std::string& place) {
-      if (tries++ >= kMostTries) return;
+      if (tries++ >= kMaxTries) return;
       std::vector<Override> values = first_values();
       std::erase_if(values, [&](const Override& other) { return other.path == path; });
       values.push_back({path, value, kFromPlan + place});
@@ -450,7 +450,7 @@ class PlanReader {
     for (const auto& [path, values] : plan_.grid) {
       for (std::size_t k = 1; k < values.size(); ++k) attempt(path, values[k], fmt::format("grid.{}[{}]", path, k));
     }
-    for (std::size_t k = 1; k < plan_.samples.size() && tries < kMostTries; ++k, ++tries) {
+    for (std::size_t k = 1; k < plan_.samples.size() && tries < kMaxTries; ++k, ++tries) {
       std::vector<Override> values;
       add_overrides(plan_.set, "set", values);
       add_overrides(plan_.samples[k], fmt::format("samples[{}]", k), values);
@@ -463,7 +463,7 @@ class PlanReader {
     for (const auto& [path, value] : plan_.set) {
       if (std::find(plan_.columns.begin(), plan_.columns.end(), path) == plan_.columns.end()) continue;
       const DocumentPath set(top_, "set");
-      reader_.fault_name(DocumentPath(set, path),
+      reader_.error_name(DocumentPath(set, path),
                          fmt::format("'{}' is set and differs from plant to plant as well", path), "one of them", "");
     }
   }
@@ -487,25 +487,25 @@ class PlanReader {
     double count = static_cast<double>(plan_.documents.size()) * static_cast<double>(plan_.seed_count);
     if (!plan_.samples.empty()) count *= static_cast<double>(plan_.samples.size());
     for (const auto& [path, values] : plan_.grid) count *= static_cast<double>(values.size());
-    if (count <= static_cast<double>(kMostPlants)) return;
-    reader_.fault(top_, fmt::format("{:.4g} plants are too many", count), fmt::format("at most {}", kMostPlants));
+    if (count <= static_cast<double>(kMaxPlants)) return;
+    reader_.error(top_, fmt::format("{:.4g} plants are too many", count), fmt::format("at most {}", kMaxPlants));
   }
 
   void finish() {
-    std::vector<Diagnostic> faults = reader_.take_diagnostics();
-    faults.insert(faults.end(), std::make_move_iterator(own_.begin()), std::make_move_iterator(own_.end()));
-    locate_diagnostics(text_, faults);
-    for (Diagnostic& fault : faults) fault.file = file_;
-    const bool is_faulty = !others_.empty() || std::any_of(faults.begin(), faults.end(), [](const Diagnostic& fault) {
-      return fault.severity == Severity::error;
+    std::vector<Diagnostic> errors = reader_.take_diagnostics();
+    errors.insert(errors.end(), std::make_move_iterator(own_.begin()), std::make_move_iterator(own_.end()));
+    locate_diagnostics(text_, errors);
+    for (Diagnostic& error : errors) error.file = file_;
+    const bool is_faulty = !others_.empty() || std::any_of(errors.begin(), errors.end(), [](const Diagnostic& error) {
+      return error.severity == Severity::error;
     });
     if (!is_faulty) {
       plan_.hash = hash_of_plan(plan_.tree);
-      plan_.warnings.insert(plan_.warnings.end(), faults.begin(), faults.end());
+      plan_.warnings.insert(plan_.warnings.end(), errors.begin(), errors.end());
       return;
     }
-    faults.insert(faults.end(), std::make_move_iterator(others_.begin()), std::make_move_iterator(others_.end()));
-    throw InputError(std::move(faults));
+    errors.insert(errors.end(), std::make_move_iterator(others_.begin()), std::make_move_iterator(others_.end()));
+    throw InputError(std::move(errors));
   }
 
   const std::string& text_;

@@ -42,10 +42,10 @@ GrownPart part_for(const DatasetPlan& plan) {
   return part;
 }
 
-TraceWish wish_for(const DatasetPlan& plan) {
-  TraceWish wish;
-  for (const PlannedFile& file : plan.files) wish = wish | file.output->wish;
-  return wish;
+TraceRequest request_for(const DatasetPlan& plan) {
+  TraceRequest request;
+  for (const PlannedFile& file : plan.files) request = request | file.output->request;
+  return request;
 }
 
 std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& document, GrownDocument& grown,
@@ -165,7 +165,7 @@ MadePlant PlantMaker::make(std::uint64_t number, const std::string& folder, Prog
     GrowthOptions options{.time = plan_.time,
                           .up_to = part_for(plan_),
                           .cache = kept_->cache_of(made.plant.document),
-                          .view = {{}, wish_for(plan_)}};
+                          .view = {{}, request_for(plan_)}};
     GrownDocument grown = grow_document(document, progress, options);
     options.up_to = GrownPart::textures;
     made.measures = measured(plan_, document, grown, options, progress);

@@ -37,7 +37,7 @@ std::vector<PlantOutput> all_plant_outputs() {
     outputs.push_back({.ending = std::string(format.ending),
                        .doc = std::string(format.doc),
                        .needs = format.needs,
-                       .wish = format.wish,
+                       .request = format.request,
                        .write = [&format](const PlantInHand& plant, const std::string& path, Progress& progress) {
                          format.write(plant.document, plant.grown, path, {}, progress);
                        }});

@@ -27,7 +27,7 @@ struct PlantOutput {
   std::string ending;                  ///< with its dot
   std::string doc;                     ///< one sentence
   GrownPart needs = GrownPart::plant;  ///< the stage up to which the plant must have grown
-  TraceWish wish{};                    ///< records of growth that the file needs
+  TraceRequest request{};              ///< records of growth that the file needs
   /// Writes the file at `path`, and further files that belong to it beside it.
   std::function<void(const PlantInHand& plant, const std::string& path, Progress& progress)> write;
   /// Returns the table of the settings beside the ending. Null: no settings are allowed.

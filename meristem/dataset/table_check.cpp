@@ -17,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostColumnsNamed = 4;
+constexpr std::size_t kMaxColumnsNamed = 4;
 
 std::string_view without_line_end(const std::string& line) { return std::string_view(line).substr(0, line.size() - 1); }
 
@@ -46,7 +46,7 @@ class TableReader {
     }
     read(*content);
     tell_missing();
-    if (!is_confirmed_ && !known_.empty() && out_.faults.empty()) {
+    if (!is_confirmed_ && !known_.empty() && out_.errors.empty()) {
       tell("{}: the table has other bytes than were written", path_);
     }
     return std::move(out_);
@@ -69,7 +69,7 @@ class TableReader {
  private:
   template <class... Arguments>
   void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    out_.faults.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+    out_.errors.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
   }
 
   void read(std::string_view text) {
@@ -111,7 +111,7 @@ class TableReader {
     for (std::size_t k = drawn; k < now.size(); ++k) {
       if (now[k] != hashes_->columns[k].second) changed_columns_.push_back(hashes_->columns[k].first);
     }
-    if (changed_columns_.size() > kMostColumnsNamed || labels.empty()) changed_columns_.clear();
+    if (changed_columns_.size() > kMaxColumnsNamed || labels.empty()) changed_columns_.clear();
   }
 
   void read_row(std::string_view line, std::size_t number, bool is_ended) {

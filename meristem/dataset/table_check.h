@@ -23,7 +23,7 @@ struct TableRow {
 /// The rows of a file, and its faults.
 struct TableRows {
   std::vector<TableRow> rows;       ///< in the order of the file
-  std::vector<std::string> faults;  ///< one line each, with file, line, row and column
+  std::vector<std::string> errors;  ///< one line each, with file, line, row and column
   std::string hash;                 ///< hash of the whole file; empty if the file does not exist
 };
 

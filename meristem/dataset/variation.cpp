@@ -35,7 +35,7 @@ constexpr std::array<VariationForm, 7> kVariationForms{{
 
 /// Number of draws outside the bounds after which the nearer bound is used. This hardly ever happens if a hundredth of
 /// the values lies within the bounds.
-constexpr std::uint64_t kMostDraws = 10'000;
+constexpr std::uint64_t kMaxDraws = 10'000;
 
 double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
@@ -132,7 +132,7 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
                   Variation& variation) {
   const Value::List* const list = choices.list();
   if (list == nullptr || list->empty()) {
-    reader.fault(DocumentPath(path, "choice"), fmt::format("the choices are {}", choices.description()),
+    reader.error(DocumentPath(path, "choice"), fmt::format("the choices are {}", choices.description()),
                  "a list of at least one value");
     return false;
   }
@@ -143,7 +143,7 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
   const bool is_right = numbers && std::all_of(numbers->begin(), numbers->end(), [](double w) { return w >= 0; }) &&
                         std::any_of(numbers->begin(), numbers->end(), [](double w) { return w > 0; });
   if (!is_right) {
-    reader.fault(DocumentPath(path, "weights"), fmt::format("the weights are {}", weights->description()),
+    reader.error(DocumentPath(path, "weights"), fmt::format("the weights are {}", weights->description()),
                  fmt::format("{} numbers, one per choice, none below 0 and not all 0", list->size()));
     return false;
   }
@@ -169,7 +169,7 @@ Value Variation::draw(RandomKey key) const {
     return choices[last];
   }
   double number = 0;
-  for (std::uint64_t k = 0; k < kMostDraws; ++k) {
+  for (std::uint64_t k = 0; k < kMaxDraws; ++k) {
     number = draw_number(*this, key, k);
     if ((!low || number >= *low) && (!high || number <= *high)) return number;
   }
@@ -211,7 +211,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   const std::string expected =
       fmt::format("an object with one of {}, such as {{\"uniform\": [20, 60]}}", fmt::join(names, ", "));
   if (value.object() == nullptr) {
-    reader.fault(path, fmt::format("a distribution cannot be {}", value.description()), expected);
+    reader.error(path, fmt::format("a distribution cannot be {}", value.description()), expected);
     return std::nullopt;
   }
   std::size_t kinds = 0;
@@ -224,13 +224,13 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
     } else if (name != "within" && name != "weights") {
       std::vector<std::string> all = names;
       all.insert(all.end(), {"within", "weights"});
-      reader.fault_name(DocumentPath(path, name), fmt::format("'{}' is not a part of a distribution", name),
+      reader.error_name(DocumentPath(path, name), fmt::format("'{}' is not a part of a distribution", name),
                         fmt::format("one of {}", fmt::join(all, ", ")), nearest_name(name, all));
       return std::nullopt;
     }
   }
   if (kinds != 1) {
-    reader.fault(path, kinds == 0 ? "the distribution has no kind" : "the distribution has more than one kind",
+    reader.error(path, kinds == 0 ? "the distribution has no kind" : "the distribution has more than one kind",
                  expected);
     return std::nullopt;
   }
@@ -238,7 +238,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   const Value& given = *value.find(form.name);
   const bool chooses = variation.kind == Variation::Kind::choice;
   if (const Value* weights = value.find("weights"); weights != nullptr && !chooses) {
-    reader.fault_name(DocumentPath(path, "weights"), "weights belong to choices", "\"choice\" beside \"weights\"", "");
+    reader.error_name(DocumentPath(path, "weights"), "weights belong to choices", "\"choice\" beside \"weights\"", "");
     return std::nullopt;
   }
   if (chooses) {
@@ -246,7 +246,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   } else {
     const auto numbers = finite_numbers(given, form.count);
     if (!numbers || !are_right(variation.kind, *numbers)) {
-      reader.fault(DocumentPath(path, form.name), fmt::format("'{}' cannot be {}", form.name, given.description()),
+      reader.error(DocumentPath(path, form.name), fmt::format("'{}' cannot be {}", form.name, given.description()),
                    std::string(form.numbers));
       return std::nullopt;
     }
@@ -256,7 +256,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   if (within == nullptr) return variation;
   const auto bounds = finite_numbers(*within, 2);
   if (chooses || !bounds || !((*bounds)[0] <= (*bounds)[1])) {
-    reader.fault(DocumentPath(path, "within"),
+    reader.error(DocumentPath(path, "within"),
                  chooses ? "choices have no bounds" : fmt::format("the bounds are {}", within->description()),
                  chooses ? "a list of the choices that are meant" : "two numbers [low, high]");
     return std::nullopt;

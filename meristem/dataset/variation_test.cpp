@@ -10,11 +10,11 @@
 
 namespace meristem::variation_test {
 
-std::optional<Variation> read(const std::string& text, std::vector<Diagnostic>* faults = nullptr) {
+std::optional<Variation> read(const std::string& text, std::vector<Diagnostic>* errors = nullptr) {
   ParameterReader reader({}, Limits());
   const DocumentPath top;
   auto variation = read_variation(parse_json(text), DocumentPath(top, "age"), reader);
-  if (faults != nullptr) *faults = reader.take_diagnostics();
+  if (errors != nullptr) *errors = reader.take_diagnostics();
   return variation;
 }
 
@@ -110,15 +110,15 @@ TEST(Variation, RejectsWhatIsNoDistribution) {
       {R"({"uniform": [1, 2], "within": [2, 1]})", "age.within"},
   };
   for (const auto& [text, path] : cases) {
-    std::vector<Diagnostic> faults;
-    EXPECT_FALSE(read(text, &faults)) << text;
-    ASSERT_EQ(faults.size(), 1U) << text;
-    EXPECT_EQ(faults[0].path, path) << text;
-    EXPECT_FALSE(faults[0].expected.empty()) << text;
+    std::vector<Diagnostic> errors;
+    EXPECT_FALSE(read(text, &errors)) << text;
+    ASSERT_EQ(errors.size(), 1U) << text;
+    EXPECT_EQ(errors[0].path, path) << text;
+    EXPECT_FALSE(errors[0].expected.empty()) << text;
   }
-  std::vector<Diagnostic> faults;
-  read(R"({"uniforn": [1, 2]})", &faults);
-  EXPECT_EQ(faults[0].nearest, "uniform");
+  std::vector<Diagnostic> errors;
+  read(R"({"uniforn": [1, 2]})", &errors);
+  EXPECT_EQ(errors[0].nearest, "uniform");
 }
 
 }  // namespace meristem::variation_test

@@ -80,7 +80,7 @@ class DatasetVerifier {
     std::error_code error;
     if (!fs::exists(dataset_info_path(folder_), error)) throw no_dataset(folder_);
     const bool is_readable = read_info();
-    if (is_readable) documents_ = document_faults(info_, folder_);
+    if (is_readable) documents_ = document_errors(info_, folder_);
     read_plan();
     if (!is_readable && plan_) recover_info();
     if (!is_readable && !plan_) return std::move(check_);
@@ -97,10 +97,10 @@ class DatasetVerifier {
  private:
   template <class... Arguments>
   void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    check_.faults.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+    check_.errors.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
   }
-  void take(const std::vector<std::string>& faults) {
-    check_.faults.insert(check_.faults.end(), faults.begin(), faults.end());
+  void take(const std::vector<std::string>& errors) {
+    check_.errors.insert(check_.errors.end(), errors.begin(), errors.end());
   }
   std::string path(const std::string& below) const { return (fs::path(folder_) / below).string(); }
 
@@ -122,11 +122,11 @@ class DatasetVerifier {
     } catch (const std::exception& error) {
       // check_plan reports the fault, unless a document has changed.
       const auto* const input = dynamic_cast<const InputError*>(&error);
-      plan_fault_ = input != nullptr ? input->diagnostics().front().text() : error.what();
+      plan_error_ = input != nullptr ? input->diagnostics().front().text() : error.what();
       return;
     }
     if (info_.plants > 0 && plan_->hash != info_.plan) {
-      plan_fault_ = "it is the plan of another data set";
+      plan_error_ = "it is the plan of another data set";
       plan_.reset();
     }
   }
@@ -134,14 +134,14 @@ class DatasetVerifier {
   void recover_info() {
     info_ = info_of(*plan_);
     info_.is_as_written = false;
-    documents_ = document_faults(info_, folder_);
+    documents_ = document_errors(info_, folder_);
   }
 
   void check_info(bool is_readable) {
     const std::string file = dataset_info_path(folder_);
     if (info_.format < kDatasetFormat && info_.is_as_written) {
       check_.is_old = true;
-      std::vector<std::string>& lines = options_.allow_old ? check_.warnings : check_.faults;
+      std::vector<std::string>& lines = options_.allow_old ? check_.warnings : check_.errors;
       lines.push_back(
           fmt::format("{}: the tables could not be checked: an earlier version of the program made this data set, "
                       "without hashes of its tables. Measures, errors and the data card may have changed",
@@ -149,7 +149,7 @@ class DatasetVerifier {
       return;
     }
     if (!is_readable || info_.is_as_written) return;
-    const std::size_t before = check_.faults.size();
+    const std::size_t before = check_.errors.size();
     if (!info_.later_part.empty()) {
       tell("{}: its format is {}, and {} is of a later one", file, info_.format, info_.later_part);
       info_.format = kDatasetFormat;
@@ -176,7 +176,7 @@ class DatasetVerifier {
       if (!hashes || info_.tables[table] == hashes->table || is_of_format_1) continue;
       tell("{}: the hash of the table {} is not that of {}", file, table, table_hashes_path(folder_, table));
     }
-    if (check_.faults.size() == before) tell("{}: the file has changed since it was written", file);
+    if (check_.errors.size() == before) tell("{}: the file has changed since it was written", file);
   }
 
   void check_plan() {
@@ -197,7 +197,7 @@ class DatasetVerifier {
     } else if (!text) {
       tell("{} is missing", file);
     }
-    if (!plan_ && documents_.empty()) tell("{}: the drawn values cannot be checked: {}", file, plan_fault_);
+    if (!plan_ && documents_.empty()) tell("{}: the drawn values cannot be checked: {}", file, plan_error_);
     if (!plan_ && !documents_.empty()) {
       check_.warnings.push_back(
           fmt::format("{}: the drawn values are not checked, because a document has changed", file));
@@ -220,7 +220,7 @@ class DatasetVerifier {
     std::error_code error;
     if (!fs::exists(file, error)) {
       const std::uint64_t rows = check_parts(knowledge, table, check);
-      check.sums.faults.insert(check.sums.faults.begin(),
+      check.sums.errors.insert(check.sums.errors.begin(),
                                rows == 0 ? fmt::format("{} is missing: {} plants", file, end - begin)
                                          : fmt::format("{} is missing: {} plants, {} of them have rows in partial/",
                                                        file, end - begin, rows));
@@ -228,21 +228,21 @@ class DatasetVerifier {
       return check;
     }
     const TableRows rows = check_table_rows(knowledge, table);
-    check.sums.faults = rows.faults;
-    const std::vector<std::optional<std::string>> faults = faults_of_rows(rows.rows, folder_, true, progress_);
+    check.sums.errors = rows.errors;
+    const std::vector<std::optional<std::string>> errors = errors_of_rows(rows.rows, folder_, true, progress_);
     for (std::size_t row = 0; row < rows.rows.size(); ++row) {
       add_row(rows.rows[row].entry, check);
-      if (faults[row]) check.sums.faults.push_back(*faults[row]);
+      if (errors[row]) check.sums.errors.push_back(*errors[row]);
     }
     const auto hashes = read_table_hashes(folder_, table);
     const bool is_known = !info_.tables.empty() && !info_.tables[table].empty();
     if (is_known && info_.is_as_written && (!hashes || hashes->table != info_.tables[table])) {
       const std::string checks = table_hashes_path(folder_, table);
-      check.sums.faults.push_back(
+      check.sums.errors.push_back(
           fmt::format("{} {}", checks, fs::exists(checks, error) ? "has other bytes than were written" : "is missing"));
     }
     if (!is_known && !hashes && info_.format == kDatasetFormat) {
-      check.sums.faults.push_back(fmt::format("{}: the table has no hash", file));
+      check.sums.errors.push_back(fmt::format("{}: the table has no hash", file));
     }
     return check;
   }
@@ -264,16 +264,16 @@ class DatasetVerifier {
     if (parts == parts_.end()) return 0;
     for (const std::string& part : parts->second) {
       const TableRows rows = check_part_rows(knowledge, part, table);
-      check.sums.faults.insert(check.sums.faults.end(), rows.faults.begin(), rows.faults.end());
+      check.sums.errors.insert(check.sums.errors.end(), rows.errors.begin(), rows.errors.end());
       for (const TableRow& row : rows.rows) {
         for (const PlantFile& file : row.entry.files) check.paths.insert(file.path);
         // A plant that was made again has an older row as well; one of its rows must fit its files.
         const auto [plant, is_new] = plants.try_emplace(row.entry.number);
-        if (is_new || plant->second) plant->second = fault_of_files(row.entry, folder_, true, progress_);
+        if (is_new || plant->second) plant->second = error_of_files(row.entry, folder_, true, progress_);
       }
     }
-    for (auto& [number, fault] : plants) {
-      if (fault) check.sums.faults.push_back(std::move(*fault));
+    for (auto& [number, error] : plants) {
+      if (error) check.sums.errors.push_back(std::move(*error));
     }
     return plants.size();
   }
@@ -293,7 +293,7 @@ class DatasetVerifier {
       check_.failed += check.sums.failed;
       check_.files += check.sums.files;
       check_.bytes += check.sums.bytes;
-      take(check.sums.faults);
+      take(check.sums.errors);
       paths_.merge(check.paths);
     }
   }
@@ -330,7 +330,7 @@ class DatasetVerifier {
   Progress& progress_;
   DatasetInfo info_;
   std::optional<DatasetPlan> plan_;
-  std::string plan_fault_;
+  std::string plan_error_;
   std::vector<std::string> documents_;  // faults
   std::map<std::uint64_t, std::vector<std::string>> parts_;
   std::set<std::string> paths_;
@@ -339,7 +339,7 @@ class DatasetVerifier {
 
 }  // namespace
 
-std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
+std::optional<std::string> error_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
                                           const Progress& progress) {
   for (const PlantFile& file : entry.files) {
     progress.check();
@@ -356,17 +356,17 @@ std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std:
   return std::nullopt;
 }
 
-std::vector<std::optional<std::string>> faults_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
+std::vector<std::optional<std::string>> errors_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
                                                        bool reads_all, Progress& progress) {
   constexpr std::size_t kRowsAtOnce = 8;
-  std::vector<std::optional<std::string>> faults(rows.size());
+  std::vector<std::optional<std::string>> errors(rows.size());
   parallel_for(rows.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      faults[row] = fault_of_files(rows[row].entry, folder, reads_all, progress);
+      errors[row] = error_of_files(rows[row].entry, folder, reads_all, progress);
       progress.advance();
     }
   });
-  return faults;
+  return errors;
 }
 
 void each_file_below(const std::string& folder, FunctionRef<void(const std::string& path, bool is_left_over)> take) {
@@ -378,13 +378,13 @@ void each_file_below(const std::string& folder, FunctionRef<void(const std::stri
   }
 }
 
-std::vector<std::string> document_faults(const DatasetInfo& info, const std::string& folder) {
-  std::vector<std::string> faults;
+std::vector<std::string> document_errors(const DatasetInfo& info, const std::string& folder) {
+  std::vector<std::string> errors;
   for (const DatasetDocument& document : info.documents) {
     const fs::path root = fs::path(documents_path(folder)) / document.name;
     if (document.files.empty()) {
       if (hash_of_unpacked(document, root.string()) != document.hash) {
-        faults.push_back(fmt::format("{} has changed", root.string()));
+        errors.push_back(fmt::format("{} has changed", root.string()));
       }
       continue;
     }
@@ -393,7 +393,7 @@ std::vector<std::string> document_faults(const DatasetInfo& info, const std::str
       known.insert(path);
       const auto content = whole_file((root / path).string());
       if (content && text_hash(*content) == hash) continue;
-      faults.push_back(fmt::format("{} {}", (root / path).string(),
+      errors.push_back(fmt::format("{} {}", (root / path).string(),
                                    content ? "has changed since the data set was begun" : "is missing"));
     }
     std::vector<std::string> strangers;
@@ -402,10 +402,10 @@ std::vector<std::string> document_faults(const DatasetInfo& info, const std::str
     });
     std::sort(strangers.begin(), strangers.end());
     for (const std::string& path : strangers) {
-      faults.push_back(fmt::format("{} belongs to no document", (root / path).string()));
+      errors.push_back(fmt::format("{} belongs to no document", (root / path).string()));
     }
   }
-  return faults;
+  return errors;
 }
 
 std::vector<std::string> strange_tables(const DatasetInfo& info, const std::string& folder) {

@@ -19,11 +19,11 @@ class Registry;
 
 /// Returns the reason why the files of a row are missing or wrong, or nothing if they are right. Compares sizes and, if
 /// `reads_all`, hashes of all bytes. Throws Cancelled.
-std::optional<std::string> fault_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
+std::optional<std::string> error_of_files(const ManifestEntry& entry, const std::string& folder, bool reads_all,
                                           const Progress& progress);
 
 /// Returns the faults of all rows, in their order. The progress counts a unit per row. Throws Cancelled.
-std::vector<std::optional<std::string>> faults_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
+std::vector<std::optional<std::string>> errors_of_rows(const std::vector<TableRow>& rows, const std::string& folder,
                                                        bool reads_all, Progress& progress);
 
 /// Calls `take` with the path of each file below a folder, relative to the folder. `is_left_over` is true for
@@ -31,7 +31,7 @@ std::vector<std::optional<std::string>> faults_of_rows(const std::vector<TableRo
 void each_file_below(const std::string& folder, FunctionRef<void(const std::string& path, bool is_left_over)> take);
 
 /// Returns the faults of the documents in the folder, one line for each file. Format 1 has one hash for each document.
-std::vector<std::string> document_faults(const DatasetInfo& info, const std::string& folder);
+std::vector<std::string> document_errors(const DatasetInfo& info, const std::string& folder);
 
 /// Returns the files below manifest/ and checks/ that belong to no table, in order.
 std::vector<std::string> strange_tables(const DatasetInfo& info, const std::string& folder);
@@ -43,7 +43,7 @@ struct DatasetCheck {
   std::uint64_t failed = 0;           ///< number of these plants with an error
   std::uint64_t files = 0;            ///< files of plants that were read
   std::uint64_t bytes = 0;            ///< bytes of these files
-  std::vector<std::string> faults;    ///< one line each: faults of the whole set first, then faults in the order of the
+  std::vector<std::string> errors;    ///< one line each: faults of the whole set first, then faults in the order of the
                                       ///< tables
   std::vector<std::string> warnings;  ///< checks that were impossible, one line each
   bool is_old = false;                ///< true if the tables have no hashes, so that they could not be checked

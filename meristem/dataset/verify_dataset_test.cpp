@@ -31,7 +31,7 @@ DatasetCheck checked(const std::string& path, const DatasetCheckOptions& options
   return verify_dataset(path, builtin_components(), "", progress, options);
 }
 
-std::vector<std::string> verified(const std::string& path) { return checked(path).faults; }
+std::vector<std::string> verified(const std::string& path) { return checked(path).errors; }
 
 /// The folder's own plan, as the command line reads it for a repair.
 DatasetPlan own_plan(const std::string& path) {
@@ -39,7 +39,7 @@ DatasetPlan own_plan(const std::string& path) {
 }
 
 std::uint64_t repaired(const DatasetPlan& plan, const std::string& path) {
-  return make_plants(plan, path, kMostPlants, DatasetOpening::repair);
+  return make_plants(plan, path, kMaxPlants, DatasetOpening::repair);
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -282,10 +282,10 @@ TEST(VerifyDataset, TellsEachDamageAndARepairMakesItGood) {
   for (const Damage& damage : damages()) {
     SCOPED_TRACE(damage.name);
     write_content(fs::path(rods) / damage.file, damage.change(whole.at(damage.file)));
-    const auto faults = verified(rods);
-    ASSERT_EQ(faults.size(), damage.told.size()) << testing::PrintToString(faults);
-    for (std::size_t k = 0; k < faults.size(); ++k) {
-      EXPECT_NE(faults[k].find(damage.told[k]), std::string::npos) << faults[k];
+    const auto errors = verified(rods);
+    ASSERT_EQ(errors.size(), damage.told.size()) << testing::PrintToString(errors);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      EXPECT_NE(errors[k].find(damage.told[k]), std::string::npos) << errors[k];
     }
     EXPECT_EQ(repaired(own_plan(rods), rods), damage.made);
     const auto after = verified(rods);
@@ -311,11 +311,11 @@ TEST(VerifyDataset, ADatasetJsonThatNamesFilesElsewhereIsRefusedAndTheyStay) {
   for (std::size_t k = 0; k < crafted.size(); ++k) {
     SCOPED_TRACE(k);
     write_content(dataset_info_path(rods), dataset_info_text(crafted[k]));
-    const auto faults = verified(rods);
-    ASSERT_EQ(faults.size(), 1U) << testing::PrintToString(faults);
+    const auto errors = verified(rods);
+    ASSERT_EQ(errors.size(), 1U) << testing::PrintToString(errors);
     const std::string told =
         k < 2 ? "it names a file outside of its folder" : "it names a document outside of its folder";
-    EXPECT_NE(faults[0].find(told), std::string::npos) << faults[0];
+    EXPECT_NE(errors[0].find(told), std::string::npos) << errors[0];
     repaired(own_plan(rods), rods);
     EXPECT_EQ(file_content(notes), "mine");
     EXPECT_TRUE(verified(rods).empty());
@@ -332,19 +332,19 @@ TEST(VerifyDataset, TellsFilesThatAreMissingOrBelongToNothing) {
                                  "plants/0000/000004.ply"}) {
     SCOPED_TRACE(name);
     fs::remove(fs::path(rods) / name);
-    const auto faults = verified(rods);
-    ASSERT_FALSE(faults.empty());
-    EXPECT_NE(faults[0].find(std::string(name) + " is missing"), std::string::npos) << faults[0];
+    const auto errors = verified(rods);
+    ASSERT_FALSE(errors.empty());
+    EXPECT_NE(errors[0].find(std::string(name) + " is missing"), std::string::npos) << errors[0];
     repaired(own_plan(rods), rods);
     EXPECT_TRUE(verified(rods).empty());
     ASSERT_EQ(files_below(rods), whole);
   }
   for (const char* const name : {"manifest/00003.csv", "checks/00009.csv"}) {
     write_content(fs::path(rods) / name, whole.at("manifest/00002.csv"));
-    const auto faults = verified(rods);
-    ASSERT_FALSE(faults.empty());
-    EXPECT_NE(testing::PrintToString(faults).find(std::string(name) + " belongs to no table"), std::string::npos)
-        << faults[0];
+    const auto errors = verified(rods);
+    ASSERT_FALSE(errors.empty());
+    EXPECT_NE(testing::PrintToString(errors).find(std::string(name) + " belongs to no table"), std::string::npos)
+        << errors[0];
   }
   repaired(own_plan(rods), rods);
   EXPECT_EQ(files_below(rods), whole);
@@ -372,9 +372,9 @@ TEST(VerifyDataset, ARepairSaysWhatItCannotRepair) {
   make_plants(plan, rods);
   const auto whole = files_below(rods);
   write_content(fs::path(rods) / "documents/rod/rod.json", std::string(kStem) + " ");
-  const auto faults = verified(rods);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].find("documents/rod/rod.json has changed since the data set was begun"), std::string::npos);
+  const auto errors = verified(rods);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].find("documents/rod/rod.json has changed since the data set was begun"), std::string::npos);
   try {
     repaired(own_plan(rods), rods);
     FAIL() << "nothing in the folder tells what the document was";
@@ -408,9 +408,9 @@ TEST(VerifyDataset, ATableWithoutHashesOfItsRowsIsMadeAgain) {
   lines[3] = with_field(lines[3], kHeight, other_digit);
   write_content(fs::path(rods) / "manifest/00000.csv", joined(lines));
   fs::remove(fs::path(rods) / "checks/00000.csv");
-  const auto faults = verified(rods);
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_NE(faults[0].find("00000.csv: the table has other bytes than were written"), std::string::npos);
+  const auto errors = verified(rods);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_NE(errors[0].find("00000.csv: the table has other bytes than were written"), std::string::npos);
   EXPECT_EQ(repaired(own_plan(rods), rods), 10U);
   EXPECT_EQ(files_below(rods), whole);
 }
@@ -422,12 +422,12 @@ TEST(VerifyDataset, AnUnfinishedSetTellsWhatIsMissing) {
   const std::uint64_t made = make_plants(plan, rods, 12);
   ASSERT_LT(made, 20U);
   ASSERT_GT(made, 10U);
-  const auto faults = verified(rods);
-  ASSERT_EQ(faults.size(), 2U) << testing::PrintToString(faults);
-  EXPECT_NE(faults[0].find(fmt::format("00001.csv is missing: 10 plants, {} of them have rows in partial/", made - 10)),
+  const auto errors = verified(rods);
+  ASSERT_EQ(errors.size(), 2U) << testing::PrintToString(errors);
+  EXPECT_NE(errors[0].find(fmt::format("00001.csv is missing: 10 plants, {} of them have rows in partial/", made - 10)),
             std::string::npos)
-      << faults[0];
-  EXPECT_NE(faults[1].find("00002.csv is missing: 5 plants"), std::string::npos);
+      << errors[0];
+  EXPECT_NE(errors[1].find("00002.csv is missing: 5 plants"), std::string::npos);
   EXPECT_EQ(file_content(fs::path(rods) / "dataset.json").find("\"tables\": [null"), std::string::npos)
       << "the first table has its hash";
 
@@ -458,21 +458,21 @@ TEST(VerifyDataset, AFolderWithoutHashesIsNotCertifiedAndGetsThem) {
   const DatasetCheck check = checked(rods);
   EXPECT_TRUE(check.is_old);
   EXPECT_TRUE(check.warnings.empty());
-  ASSERT_EQ(check.faults.size(), 1U) << testing::PrintToString(check.faults);
-  EXPECT_NE(check.faults[0].find("dataset.json: the tables could not be checked"), std::string::npos);
+  ASSERT_EQ(check.errors.size(), 1U) << testing::PrintToString(check.errors);
+  EXPECT_NE(check.errors[0].find("dataset.json: the tables could not be checked"), std::string::npos);
   const DatasetCheck allowed = checked(rods, {.allow_old = true});
   EXPECT_TRUE(allowed.is_old);
-  EXPECT_TRUE(allowed.faults.empty()) << testing::PrintToString(allowed.faults);
-  EXPECT_EQ(allowed.warnings, check.faults);
+  EXPECT_TRUE(allowed.errors.empty()) << testing::PrintToString(allowed.errors);
+  EXPECT_EQ(allowed.warnings, check.errors);
 
   // Values from the plan are still checked.
   const std::string table = file_content(fs::path(rods) / "manifest/00000.csv");
   std::vector<std::string> lines = lines_of(table);
   lines[3] = with_field(lines[3], kTall, other_digit);
   write_content(fs::path(rods) / "manifest/00000.csv", joined(lines));
-  const auto faults = checked(rods, {.allow_old = true}).faults;
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].find("00000.csv:4: row 000002, column 'tall'"), std::string::npos) << faults[0];
+  const auto errors = checked(rods, {.allow_old = true}).errors;
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].find("00000.csv:4: row 000002, column 'tall'"), std::string::npos) << errors[0];
   EXPECT_EQ(verified(rods).size(), 2U);
 
   EXPECT_EQ(make_plants(plan, rods), 1U);
@@ -553,9 +553,9 @@ TEST(VerifyDataset, ArraysThatWereMadeOfTablesAreChecked) {
   DatasetFolder(plan, rods, DatasetOpening::resume, progress).add_file("manifest.npz");
   EXPECT_TRUE(verified(rods).empty());
   write_content(arrays, "other");
-  const auto faults = verified(rods);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].find("manifest.npz has other bytes than were written"), std::string::npos);
+  const auto errors = verified(rods);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].find("manifest.npz has other bytes than were written"), std::string::npos);
   repaired(own_plan(rods), rods);
   EXPECT_FALSE(fs::exists(arrays));
   EXPECT_TRUE(verified(rods).empty());

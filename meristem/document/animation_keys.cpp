@@ -36,7 +36,7 @@ struct FoundRow {
   const Parameter* row = nullptr;
   bool is_element = false;  // one number of a vector
   bool in_component = false;
-  std::string fault{}, expected{}, nearest{};
+  std::string error{}, expected{}, nearest{};
 };
 
 /// One key as it is written.
@@ -68,7 +68,7 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
     if (row == nullptr) {
       std::vector<std::string> names;
       for (const Parameter& one : table->parameters) names.push_back(one.name);
-      found.fault = fmt::format("{} has no parameter '{}'", table->name, name);
+      found.error = fmt::format("{} has no parameter '{}'", table->name, name);
       found.nearest = reader.nearest(name, names);
       if (found.nearest.empty()) found.expected = fmt::format("one of {}", fmt::join(names, ", "));
       return found;
@@ -77,7 +77,7 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
     if (row->kind == ParameterKind::vector && has_element && k + 1 == elements.size()) {
       found.is_element = index_of(elements[k]) < 3;
       if (found.is_element) found.row = row;
-      if (!found.is_element) found.fault = fmt::format("'{}' has the elements [0] to [2]", name);
+      if (!found.is_element) found.error = fmt::format("'{}' has the elements [0] to [2]", name);
       return found;
     }
     if (k == elements.size()) {
@@ -86,13 +86,13 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
     }
     const bool is_many = row->kind == ParameterKind::list || row->kind == ParameterKind::map;
     if (row->nested == nullptr || has_element != (row->kind == ParameterKind::list)) {
-      found.fault = fmt::format("'{}' has nothing of the name '{}'", name, elements[k]);
+      found.error = fmt::format("'{}' has nothing of the name '{}'", name, elements[k]);
       return found;
     }
     if (is_many) ++k;
     table = &row->nested();
   }
-  found.fault = "a path leads to a single parameter";
+  found.error = "a path leads to a single parameter";
   return found;
 }
 
@@ -115,7 +115,7 @@ class KeyReader {
     const DocumentPath place(animation_place, "keys");
     if (given->object() == nullptr) {
       if (!of_variables) {
-        reader_.fault(place, fmt::format("the keys are {}", given->description()),
+        reader_.error(place, fmt::format("the keys are {}", given->description()),
                       R"(an object such as {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]})");
       }
       return {};
@@ -128,7 +128,7 @@ class KeyReader {
       if (path.starts_with("variables.") != of_variables) continue;
       const DocumentPath own(place, name);
       if (!is_path) {
-        reader_.fault_name(own, fmt::format("'{}' is not a path", name),
+        reader_.error_name(own, fmt::format("'{}' is not a path", name),
                            "one such as age, stem.length or links[1].density", "");
         continue;
       }
@@ -140,15 +140,15 @@ class KeyReader {
  private:
   void read(const std::string& name, const std::string& path, const Value& list, const DocumentPath& place) {
     const FoundRow found = find(path_elements(path));
-    if (found.row == nullptr) return reader_.fault_name(place, found.fault, found.expected, found.nearest);
+    if (found.row == nullptr) return reader_.error_name(place, found.error, found.expected, found.nearest);
     const KeyClock clock = found.row->key_clock(found.in_component);
     if (clock == KeyClock::none) {
-      return reader_.fault_name(place, fmt::format("'{}' cannot have keys", name),
+      return reader_.error_name(place, fmt::format("'{}' cannot have keys", name),
                                 "a parameter that is a number, a vector, a colour, a choice, or true or false", "");
     }
-    const std::size_t faults_before = reader_.fault_count();
+    const std::size_t errors_before = reader_.error_count();
     const std::vector<WrittenKey> keys = read_keys(*found.row, list, place);
-    if (reader_.fault_count() > faults_before) return;
+    if (reader_.error_count() > errors_before) return;
     const bool by_instance = clock == KeyClock::instance;
     std::optional<Value> value;
     if (found.row->has_values_between()) {
@@ -156,7 +156,7 @@ class KeyReader {
     } else {
       value = jumping(*found.row, keys, place);
     }
-    if (reader_.fault_count() > faults_before) return;
+    if (reader_.error_count() > errors_before) return;
     put(path, found, std::move(*value), place, by_instance);
     keyed_.push_back({name, path, clock, keys.back().time});
   }
@@ -168,7 +168,7 @@ class KeyReader {
     if (top == "links") return find_in_link(elements);
     if (top == "scene" && elements.size() > 1) return row_at(head_table(), elements, 0, reader_);
     FoundRow found;
-    found.fault = fmt::format("'{}' cannot have keys", top);
+    found.error = fmt::format("'{}' cannot have keys", top);
     found.expected = "a parameter of a component, a link or the scene, or a variable";
     return found;
   }
@@ -180,12 +180,12 @@ class KeyReader {
     if (variable == nullptr) return unknown("variable", name, variables);
     FoundRow found;
     const bool is_value = elements.size() == 2 || (elements.size() == 3 && elements[2] == "value");
-    if (!is_value) found.fault = "a variable has keys as a whole";
+    if (!is_value) found.error = "a variable has keys as a whole";
     if (is_per_instance(*variable)) {
-      found.fault = fmt::format("'{}' is drawn for each instance and cannot have keys", name);
+      found.error = fmt::format("'{}' is drawn for each instance and cannot have keys", name);
       found.expected = "keys of the parameters that use it";
     }
-    if (found.fault.empty()) found.row = variable_table().find("value");
+    if (found.error.empty()) found.row = variable_table().find("value");
     return found;
   }
 
@@ -198,7 +198,7 @@ class KeyReader {
     const ComponentType* type = has_type ? registry_->find(*type_name->text()) : nullptr;
     FoundRow found;
     if (type == nullptr) {
-      found.fault = fmt::format("'{}' has no type that is known", elements[1]);
+      found.error = fmt::format("'{}' has no type that is known", elements[1]);
       return found;
     }
     found = row_at(type->parameters, elements, 2, reader_);
@@ -213,7 +213,7 @@ class KeyReader {
     const bool is_there = links != nullptr && links->list() != nullptr && index < links->list()->size();
     const Value* link = is_there ? &(*links->list())[index] : nullptr;
     if (link == nullptr || link->object() == nullptr) {
-      found.fault = is_there ? "a link that is a pair has no parameters" : "there is no such link";
+      found.error = is_there ? "a link that is a pair has no parameters" : "there is no such link";
       found.expected = R"(a link such as links[1], which is an object with "from" and "to")";
       return found;
     }
@@ -224,8 +224,8 @@ class KeyReader {
 
   FoundRow unknown(const char* what, const std::string& name, const Value* among) const {
     FoundRow found;
-    found.fault = fmt::format("there is no {} '{}'", what, name);
-    if (reader_.fault_count() >= reader_.limits().diagnostics) return found;  // further faults are only counted
+    found.error = fmt::format("there is no {} '{}'", what, name);
+    if (reader_.error_count() >= reader_.limits().diagnostics) return found;  // further faults are only counted
     std::vector<std::string> names;
     if (among != nullptr && among->object() != nullptr) {
       for (const auto& [known, value] : *among->object()) names.push_back(known);
@@ -238,7 +238,7 @@ class KeyReader {
   std::vector<WrittenKey> read_keys(const Parameter& row, const Value& list, const DocumentPath& place) {
     std::vector<WrittenKey> keys;
     if (list.list() == nullptr || list.list()->empty()) {
-      reader_.fault(place, fmt::format("the keys of '{}' are {}", row.name, list.description()),
+      reader_.error(place, fmt::format("the keys of '{}' are {}", row.name, list.description()),
                     R"(a list of keys such as [[0, 0.05], [4, 1.8, "smooth"]])");
       return keys;
     }
@@ -247,7 +247,7 @@ class KeyReader {
       const Value& written = (*list.list())[k];
       const Value::List* parts = written.list();
       if (parts == nullptr || parts->size() < 2 || parts->size() > 3) {
-        reader_.fault(own, fmt::format("a key is {}", written.description()),
+        reader_.error(own, fmt::format("a key is {}", written.description()),
                       R"([time, value], or [time, value, "smooth"])");
         continue;
       }
@@ -256,7 +256,7 @@ class KeyReader {
       if (!read_time((*parts)[0], DocumentPath(own, std::size_t{0}), key.time)) continue;
       if (parts->size() == 3) read_way(row, (*parts)[2], DocumentPath(own, std::size_t{2}), key.way);
       if (!keys.empty() && !(keys.back().time < key.time)) {
-        reader_.fault(DocumentPath(own, std::size_t{0}),
+        reader_.error(DocumentPath(own, std::size_t{0}),
                       keys.back().time == key.time
                           ? fmt::format("there are two keys at {:.12g} s", key.time)
                           : fmt::format("the key at {:.12g} s follows one at {:.12g} s", key.time, keys.back().time),
@@ -273,20 +273,20 @@ class KeyReader {
       time = *value.number();
       return true;
     }
-    reader_.fault(place, fmt::format("the time of a key cannot be {}", value.description()), "seconds of at least 0");
+    reader_.error(place, fmt::format("the time of a key cannot be {}", value.description()), "seconds of at least 0");
     return false;
   }
 
   void read_way(const Parameter& row, const Value& value, const DocumentPath& place, Track::Way& way) {
     const auto found = value.text() == nullptr ? kWays.end() : std::ranges::find(kWays, *value.text());
     if (found == kWays.end()) {
-      return reader_.fault(place, fmt::format("{} is not a way between keys", value.description()),
+      return reader_.error(place, fmt::format("{} is not a way between keys", value.description()),
                            "linear, smooth or step",
                            value.text() == nullptr ? "" : reader_.nearest(*value.text(), kWays));
     }
     way = static_cast<Track::Way>(found - kWays.begin());
     if (row.has_values_between() || way == Track::Way::step) return;
-    reader_.fault(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
+    reader_.error(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
   }
 
   /// Returns the keys if the value differs from instance to instance. Otherwise returns the value of the keys at the
@@ -323,7 +323,7 @@ class KeyReader {
       if (component) {
         if (value.list() == nullptr || value.list()->size() != 3) {
           if (*component == 0) {
-            reader_.fault(value_place, fmt::format("'{}' cannot be {}", number.name, value.description()),
+            reader_.error(value_place, fmt::format("'{}' cannot be {}", number.name, value.description()),
                           "a list of three numbers [x, y, z]");
           }
           continue;
@@ -364,9 +364,9 @@ class KeyReader {
     for (std::size_t k = 0; k < keys.size(); ++k) {
       Vec3 colour(0);
       const DocumentPath key_place(place, k);
-      const std::size_t faults_before = reader_.fault_count();
+      const std::size_t errors_before = reader_.error_count();
       read_value(row, colour, *keys[k].value, DocumentPath(key_place, std::size_t{1}), reader_);
-      if (reader_.fault_count() > faults_before) return std::nullopt;
+      if (reader_.error_count() > errors_before) return std::nullopt;
       for (int c = 0; c < 3; ++c) {
         channels[static_cast<std::size_t>(c)].push_back(
             {keys[k].time, static_cast<double>(std::floor(colour[c] * 255.0F + 0.5F)), keys[k].way});
@@ -396,11 +396,11 @@ class KeyReader {
   }
 
   void put(const std::string& path, const FoundRow& found, Value value, const DocumentPath& place, bool by_instance) {
-    std::vector<Diagnostic> faults;
-    if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, faults);
-    Value* const target = find_or_add_known(path, place, faults);
+    std::vector<Diagnostic> errors;
+    if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, errors);
+    Value* const target = find_or_add_known(path, place, errors);
     if (target == nullptr) {
-      for (const Diagnostic& fault : faults) reader_.fault_name(place, fault.message, fault.expected, fault.nearest);
+      for (const Diagnostic& error : errors) reader_.error_name(place, error.message, error.expected, error.nearest);
       return;
     }
     if (!by_instance) {
@@ -417,20 +417,20 @@ class KeyReader {
   }
 
   /// Finds or adds the value at a path. The component or variable of the path must exist.
-  Value* find_or_add_known(const std::string& path, const DocumentPath& place, std::vector<Diagnostic>& faults) {
+  Value* find_or_add_known(const std::string& path, const DocumentPath& place, std::vector<Diagnostic>& errors) {
     const std::vector<std::string> elements = path_elements(path);
     const bool is_component = elements.size() > 1 && elements[0] == "components";
     const auto position = is_component ? components_.position(elements[1]) : std::nullopt;
-    if (!position) return find_or_add(root_, path, place.text(), faults);
+    if (!position) return find_or_add(root_, path, place.text(), errors);
     Value& component = (*root_.find("components")->object())[*position].second;
-    return find_or_add_below(component, std::span(elements).subspan(2), place.text(), faults);
+    return find_or_add_below(component, std::span(elements).subspan(2), place.text(), errors);
   }
 
   /// If only one number of a vector has keys and the document does not give the vector, adds the vector with its
   /// defaults.
   void add_vector(const std::string& path, const Parameter& row, const DocumentPath& place,
-                  std::vector<Diagnostic>& faults) {
-    Value* const vector = find_or_add_known(path, place, faults);
+                  std::vector<Diagnostic>& errors) {
+    Value* const vector = find_or_add_known(path, place, errors);
     if (vector == nullptr || !vector->is_null()) return;
     *vector = row.fallback();
     if (vector->is_null()) *vector = Value::List{0, 0, 0};

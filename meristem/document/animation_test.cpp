@@ -49,7 +49,7 @@ std::string hash_at(const Document& document, double time = 0, GrowthCache* cach
   return hash_of(grow_document(document, progress, {.time = time, .cache = cache}));
 }
 
-std::vector<std::string> faults(const std::string& text) {
+std::vector<std::string> errors(const std::string& text) {
   std::vector<std::string> all;
   try {
     read(text);
@@ -341,16 +341,16 @@ TEST(GrowthAsTime, LeavesComeAndGoNoFasterThanTheyUnfold) {
     const std::map<std::uint64_t, float> now = sizes_of_leaves(grown.plant);
     // A leaf unfolds with at most 1.5 of its size in `unfold` seconds, and its place comes and goes evenly in them.
     for (const auto& [name, size] : now) largest = std::max(largest, size);
-    const auto most = largest * static_cast<float>(kFrame * (1.5 / 0.5 + 1 / 0.5));
+    const auto max = largest * static_cast<float>(kFrame * (1.5 / 0.5 + 1 / 0.5));
     for (const auto& [name, size] : before) {
       const auto found = now.find(name);
       const float left = found == now.end() ? 0 : found->second;
       gone += found == now.end() ? 1 : 0;
-      EXPECT_LE(std::abs(size - left), most) << "at " << time << " s";
+      EXPECT_LE(std::abs(size - left), max) << "at " << time << " s";
     }
     for (const auto& [name, size] : now) {
       if (!before.empty() && !before.contains(name)) {
-        EXPECT_LE(size, most) << "at " << time << " s";
+        EXPECT_LE(size, max) << "at " << time << " s";
       }
     }
     before = now;
@@ -411,7 +411,7 @@ TEST(Animation, TellsWhatIsWrongWithItsKeysAndWhere) {
       {R"("bloom.": [[0, 1]])", "is not a path", ""},
   };
   for (const auto& [keys, message, hint] : cases) {
-    const std::vector<std::string> found = faults(with_keys(keys));
+    const std::vector<std::string> found = errors(with_keys(keys));
     ASSERT_EQ(found.size(), 1U) << keys << (found.empty() ? "" : found[0]);
     EXPECT_NE(found[0].find(message), std::string::npos) << keys << ": " << found[0];
     EXPECT_NE(found[0].find(hint), std::string::npos) << keys << ": " << found[0];
@@ -420,12 +420,12 @@ TEST(Animation, TellsWhatIsWrongWithItsKeysAndWhere) {
 }
 
 TEST(Animation, KeysBelowASequenceMayComeAfterTheEnd) {
-  EXPECT_TRUE(faults(with_keys(R"("petal.length": [[0, 1], [9, 2]])")).empty());
+  EXPECT_TRUE(errors(with_keys(R"("petal.length": [[0, 1], [9, 2]])")).empty());
 }
 
 TEST(Animation, KeysStandInItAlone) {
   const std::vector<std::string> found =
-      faults(R"j({"meristem": 1, "components": {"petal": {"type": "leaf", "length": {"keys": [[0, 1]]}}}})j");
+      errors(R"j({"meristem": 1, "components": {"petal": {"type": "leaf", "length": {"keys": [[0, 1]]}}}})j");
   ASSERT_FALSE(found.empty());
   EXPECT_NE(found[0].find("animation"), std::string::npos) << found[0];
 }

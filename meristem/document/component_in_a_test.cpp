@@ -55,7 +55,7 @@ const Registry& registry() {
 
 Document read(std::string text) { return read_document(std::move(text), "spike.json", registry()); }
 
-std::vector<Diagnostic> faults_of(std::string text) {
+std::vector<Diagnostic> errors_of(std::string text) {
   try {
     read(std::move(text));
   } catch (const InputError& error) {
@@ -85,16 +85,16 @@ TEST(ComponentInATest, MultipliesAndRecursesFromADocument) {
 }
 
 TEST(ComponentInATest, ItsFaultsAreFoundByItsTable) {
-  const auto faults = faults_of(R"({"meristem": 1, "components": {
+  const auto errors = errors_of(R"({"meristem": 1, "components": {
     "a": {"type": "spike", "lenght": 2},
     "b": {"type": "spike", "opening": 181},
     "c": {"type": "spkie"}
   }})");
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(faults[0].nearest, "length");
-  EXPECT_EQ(faults[0].line, 2);
-  EXPECT_EQ(faults[1].path, "components.b.opening");
-  EXPECT_EQ(faults[2].nearest, "spike");
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_EQ(errors[0].nearest, "length");
+  EXPECT_EQ(errors[0].line, 2);
+  EXPECT_EQ(errors[1].path, "components.b.opening");
+  EXPECT_EQ(errors[2].nearest, "spike");
 }
 
 TEST(ComponentInATest, StandsInTheSchema) {

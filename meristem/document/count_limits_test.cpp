@@ -30,7 +30,7 @@ std::vector<std::string> outcome(const Document& document, const GrowthOptions& 
     return {"cancelled"};
   } catch (const InputError& error) {
     std::vector<std::string> messages;
-    for (const Diagnostic& fault : error.diagnostics()) messages.push_back(fault.message + "; " + fault.expected);
+    for (const Diagnostic& error : error.diagnostics()) messages.push_back(error.message + "; " + error.expected);
     return messages;
   }
   return {"grown"};

@@ -45,23 +45,23 @@ TEST(CrownLink, ScalesWithWhatTheTreeHangsOn) {
 }
 
 TEST(CrownLink, WantsACrown) {
-  const auto faults = faults_of([] { grown(text("{}", kLink)); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "links[1].kind");
-  EXPECT_EQ(faults[0].message, "the surface of 'tree' has no crown");
+  const auto errors = errors_of([] { grown(text("{}", kLink)); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "links[1].kind");
+  EXPECT_EQ(errors[0].message, "the surface of 'tree' has no crown");
 }
 
 TEST(CrownLink, WantsStems) {
-  const auto faults = faults_of([] { grown(text(kCrown, R"({"from": "box", "to": "leaf", "kind": "crown"})")); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].message, "'box' makes no stems that could have a crown");
+  const auto errors = errors_of([] { grown(text(kCrown, R"({"from": "box", "to": "leaf", "kind": "crown"})")); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].message, "'box' makes no stems that could have a crown");
 }
 
 TEST(CrownLink, KnowsNoKeysOfBranchLinks) {
-  const auto faults =
-      faults_of([] { grown(text(kCrown, R"({"from": "tree", "to": "leaf", "kind": "crown", "whorl": 3})")); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "links[1].whorl");
+  const auto errors =
+      errors_of([] { grown(text(kCrown, R"({"from": "tree", "to": "leaf", "kind": "crown", "whorl": 3})")); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "links[1].whorl");
 }
 
 }  // namespace meristem::crown_link_test

@@ -33,7 +33,7 @@ CrownPointer crown(const std::string& text) {
 }
 
 /// The first fault of reading, else of growing.
-std::string fault(const std::string& crown_text, const std::string& points = kSmall) {
+std::string error(const std::string& crown_text, const std::string& points = kSmall) {
   try {
     Progress progress;
     grow_document(read(document_with(crown_text, points)), progress);
@@ -76,16 +76,16 @@ TEST(CrownDocument, TakesEveryCrown) {
     const CrownPointer made = crown(each.text);
     EXPECT_TRUE(made->contains(each.inside));
     EXPECT_FALSE(made->contains(each.outside));
-    EXPECT_EQ(fault(each.text), "no fault");
+    EXPECT_EQ(error(each.text), "no fault");
   }
 }
 
 TEST(CrownDocument, TakesSharesAndBlueNoise) {
   const char* const ball = R"({"sphere": {"centre": [0, 2, 0], "radius": 1}})";
-  EXPECT_EQ(fault(ball, R"("points": {"count": 300, "shares": [{"share": 0.2, "above": 0.4}]})"), "no fault");
-  EXPECT_EQ(fault(ball, R"("points": {"count": 300, "shares": [{"share": 0.9, "outer": 0.15}], "blue_noise": true})"),
+  EXPECT_EQ(error(ball, R"("points": {"count": 300, "shares": [{"share": 0.2, "above": 0.4}]})"), "no fault");
+  EXPECT_EQ(error(ball, R"("points": {"count": 300, "shares": [{"share": 0.9, "outer": 0.15}], "blue_noise": true})"),
             "no fault");
-  EXPECT_EQ(fault(ball, R"("points": {"shares": [{"share": 0.3, "above": 0.5, "outer": "1/2"}, {"share": 0.7}]})"),
+  EXPECT_EQ(error(ball, R"("points": {"shares": [{"share": 0.3, "above": 0.5, "outer": "1/2"}, {"share": 0.7}]})"),
             "no fault");
 }
 
@@ -122,7 +122,7 @@ TEST(CrownDocument, EveryFaultHasItsPlaceAndSaysWhatIsWanted) {
       {R"("round")", "components.tree.crown: a crown cannot be the text 'round'"},
   }};
   for (const auto& [text, wanted] : cases) {
-    EXPECT_NE(fault(text).find(wanted), std::string::npos) << text << "\n" << fault(text) << "\nis not\n" << wanted;
+    EXPECT_NE(error(text).find(wanted), std::string::npos) << text << "\n" << error(text) << "\nis not\n" << wanted;
   }
 }
 
@@ -137,10 +137,10 @@ TEST(CrownDocument, FaultyPointsHaveTheirPlace) {
       {R"("points": {"count": 0})", "points.count: the value 0 is out of range"},
   }};
   for (const auto& [text, wanted] : cases) {
-    EXPECT_NE(fault(ball, text).find(wanted), std::string::npos) << fault(ball, text) << "\nis not\n" << wanted;
+    EXPECT_NE(error(ball, text).find(wanted), std::string::npos) << error(ball, text) << "\nis not\n" << wanted;
   }
   const std::string cone = R"({"cone": {"base": [0, 0, 0], "radius": 1, "height": 1}})";
-  EXPECT_NE(fault(cone, R"("points": {"shares": [{"share": 0.5, "above": 0.999}]})")
+  EXPECT_NE(error(cone, R"("points": {"shares": [{"share": 0.5, "above": 0.999}]})")
                 .find("tree.points.shares[0]: the share's part"),
             std::string::npos);
 }
@@ -224,7 +224,7 @@ class CrownFiles : public testing::Test {
     return read_document(text, document_path(), builtin_components());
   }
   /// The first fault, without the path of the document.
-  std::string fault_here(const std::string& members) const {
+  std::string error_here(const std::string& members) const {
     try {
       Progress progress;
       grow_document(read_here(members), progress);
@@ -253,7 +253,7 @@ class CrownFiles : public testing::Test {
 
 TEST_F(CrownFiles, AreSoughtFromTheDocumentsFolder) {
   EXPECT_EQ(points_of(R"("points": {"file": "scans/tree.xyz"})").size(), 4U);
-  EXPECT_EQ(fault_here(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "influence": 5)"), "no fault");
+  EXPECT_EQ(error_here(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "influence": 5)"), "no fault");
 }
 
 TEST_F(CrownFiles, PointsAreTurnedUpScaledTurnedAndMoved) {
@@ -295,19 +295,19 @@ TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
       points_of(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "crown": {"profile": [[1, 0], [1, 3]]})").size(),
       3U);
   EXPECT_EQ(
-      fault_here(R"("points": {"file": "scans/tree.xyz"}, "crown": {"box": [[5, 5, 5], [6, 6, 6]]})"),
+      error_here(R"("points": {"file": "scans/tree.xyz"}, "crown": {"box": [[5, 5, 5], [6, 6, 6]]})"),
       "d.json:2:20: components.tree.points.file: none of the points of 'scans/tree.xyz' lies in the crown; expected "
       "points around the crown; scale, turn or translate them");
 }
 
 TEST_F(CrownFiles, PointsOutOfTheWorldAreRefusedUnlessACrownCutsThemOff) {
   write("scans/far.xyz", "0 1 0\n3e11 3e11 3e11\n");
-  EXPECT_EQ(fault_here(R"("points": {"file": "scans/far.xyz"})"),
+  EXPECT_EQ(error_here(R"("points": {"file": "scans/far.xyz"})"),
             "d.json:2:20: components.tree.points.file: a point of 'scans/far.xyz' comes to lie at (3e+11, 3e+11, "
             "3e+11); expected coordinates within 10000000 m; scale and translate them");
   EXPECT_EQ(points_of(R"("points": {"file": "scans/far.xyz"}, "crown": {"box": [[-1, 0, -1], [1, 2, 1]]})").size(), 1U);
   write("scans/beyond.xyz", "0 1 0\n0 0 3e38\n");
-  EXPECT_EQ(fault_here(R"("points": {"file": "scans/beyond.xyz"})"),
+  EXPECT_EQ(error_here(R"("points": {"file": "scans/beyond.xyz"})"),
             "d.json:2:20: components.tree.points.file: 'scans/beyond.xyz:2:5': '3e38' is out of range; expected a "
             "coordinate from -1e+12 to 1e+12");
 }
@@ -319,37 +319,37 @@ TEST_F(CrownFiles, AMeshIsACrown) {
   EXPECT_TRUE(made->contains({0.1F, 2.7F, -0.1F}));
   EXPECT_FALSE(made->contains({0.1F, 2.7F, 0.1F}));
   EXPECT_FALSE(made->contains({0.1F, 0.9F, -0.1F}));
-  EXPECT_EQ(fault_here(R"("points": 200, "crown": {"mesh": "tetra.obj"})"), "no fault");
+  EXPECT_EQ(error_here(R"("points": 200, "crown": {"mesh": "tetra.obj"})"), "no fault");
   EXPECT_EQ(
-      fault_here(R"("points": 200, "crown": {"union": [{"mesh": "tetra.obj", "scale": 2}, {"mesh": "tetra.obj"}]})"),
+      error_here(R"("points": 200, "crown": {"union": [{"mesh": "tetra.obj", "scale": 2}, {"mesh": "tetra.obj"}]})"),
       "no fault");
 }
 
 TEST_F(CrownFiles, EveryFaultSaysItsPlaceInTheDocumentAndInTheFile) {
   EXPECT_EQ(
-      fault_here(R"("points": {"file": "scans/bad.xyz"})"),
+      error_here(R"("points": {"file": "scans/bad.xyz"})"),
       "d.json:2:20: components.tree.points.file: 'scans/bad.xyz:2:5': z is not a finite number; expected a number (m)");
-  EXPECT_EQ(fault_here(R"("points": {"file": "scans/tre.xyz"})"),
+  EXPECT_EQ(error_here(R"("points": {"file": "scans/tre.xyz"})"),
             "d.json:2:20: components.tree.points.file: 'scans/tre.xyz': there is no such file; did you mean "
             "'scans/tree.xyz'?");
-  EXPECT_EQ(fault_here(R"("crown": {"mesh": "tetr.obj"})"),
+  EXPECT_EQ(error_here(R"("crown": {"mesh": "tetr.obj"})"),
             "d.json:2:19: components.tree.crown.mesh: 'tetr.obj': there is no such file; did you mean 'tetra.obj'?");
   EXPECT_EQ(
-      fault_here(R"("crown": {"mesh": "open.obj"})"),
+      error_here(R"("crown": {"mesh": "open.obj"})"),
       "d.json:2:19: components.tree.crown.mesh: 'open.obj': 3 edges are open, with a triangle on one side only; "
       "the first "
       "goes from (1, 0, 0) to (0, 1, 0); expected a closed mesh, in which every edge has a triangle on both sides");
-  EXPECT_NE(fault_here(R"("crown": {"mesh": "scans"})").find("'scans': this is a folder"), std::string::npos);
-  EXPECT_NE(fault_here(R"("crown": {"mesh": ""})").find("'': there is no such file"), std::string::npos);
-  EXPECT_NE(fault_here(R"("crown": {"mesh": 3})").find("'mesh' cannot be the number 3; expected the path of a file"),
+  EXPECT_NE(error_here(R"("crown": {"mesh": "scans"})").find("'scans': this is a folder"), std::string::npos);
+  EXPECT_NE(error_here(R"("crown": {"mesh": ""})").find("'': there is no such file"), std::string::npos);
+  EXPECT_NE(error_here(R"("crown": {"mesh": 3})").find("'mesh' cannot be the number 3; expected the path of a file"),
             std::string::npos);
   EXPECT_NE(
-      fault_here(R"("crown": {"box": [[0, 0, 0], [1, 1, 1]], "up": "z"})").find("'up' has no meaning without 'mesh'"),
+      error_here(R"("crown": {"box": [[0, 0, 0], [1, 1, 1]], "up": "z"})").find("'up' has no meaning without 'mesh'"),
       std::string::npos);
   EXPECT_NE(
-      fault_here(R"("points": {"file": "scans/tree.xyz", "count": 3})").find("'count' has no meaning beside 'file'"),
+      error_here(R"("points": {"file": "scans/tree.xyz", "count": 3})").find("'count' has no meaning beside 'file'"),
       std::string::npos);
-  EXPECT_EQ(fault_here(R"("step": 0.05)"),
+  EXPECT_EQ(error_here(R"("step": 0.05)"),
             "d.json:1:40: components.tree: a colonize has no 'crown'; expected a 'crown', or 'points' with a 'file'");
 }
 
@@ -364,7 +364,7 @@ TEST(CrownDocument, SizesMayVaryFromTreeToTree) {
 TEST(CrownDocument, NestingIsBounded) {
   std::string crown = R"({"sphere": {"centre": [0, 2, 0], "radius": 1}})";
   for (int k = 0; k < 100; ++k) crown = fmt::format(R"({{"union": [{}]}})", crown);
-  EXPECT_NE(fault(crown).find("nest"), std::string::npos) << fault(crown);
+  EXPECT_NE(error(crown).find("nest"), std::string::npos) << error(crown);
 }
 
 }  // namespace meristem::crowns_test

@@ -175,7 +175,7 @@ class DocumentReader {
     const auto errors =
         std::count_if(found.begin(), found.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
     meaningless_.insert(meaningless_.end(), reader.meaningless().begin(), reader.meaningless().end());
-    hidden_ += reader.fault_count() - static_cast<std::size_t>(errors);
+    hidden_ += reader.error_count() - static_cast<std::size_t>(errors);
     diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(found.begin()),
                         std::make_move_iterator(found.end()));
   }
@@ -211,7 +211,7 @@ class DocumentReader {
     document.output = std::move(head.output);
     document.scene.ground_colour = head.scene.ground.colour;
     for (auto& [name, support] : head.scene.supports) document.scene.supports[name] = std::move(support.line);
-    if (reader.fault_count() > 0) return;
+    if (reader.error_count() > 0) return;
     const Value* scene = root_->find("scene");
     document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constant_table(),
                                                 reader.files(), reader.limits().file_bytes);
@@ -228,7 +228,7 @@ class DocumentReader {
     const Value* given = root_->find("components");
     if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
       const bool is_missing = given == nullptr || given->object() != nullptr;
-      return reader.fault(
+      return reader.error(
           given == nullptr ? top_ : path,
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
@@ -263,11 +263,11 @@ class DocumentReader {
 
   /// Adds the names that a component gives to the graph. A name that several components give is added once.
   void take_names(ParameterReader& reader, Graph& graph, Prototype& prototype, const DocumentPath& path) {
-    if (reader.fault_count() > 0) return;
+    if (reader.error_count() > 0) return;
     GivenNames given = prototype.type->gives(prototype.parameters.get());
     for (const std::string& name : given.names) {
       if (reader.constant_table().names().contains(name)) {
-        reader.fault(path, fmt::format("'{}' is a column here and a variable of the document", name),
+        reader.error(path, fmt::format("'{}' is a column here and a variable of the document", name),
                      "another name for one of them");
       }
       if (!columns_.contains(name)) {
@@ -287,11 +287,11 @@ class DocumentReader {
       return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
     };
     if (id.empty() || !std::all_of(id.begin(), id.end(), fits)) {
-      reader.fault_name(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
+      reader.error_name(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
     }
     const Value* type = value.find("type");
     if (type == nullptr || type->text() == nullptr) {
-      reader.fault(path,
+      reader.error(path,
                    value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
                                              : fmt::format("'{}' has no type", id),
                    fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
@@ -301,7 +301,7 @@ class DocumentReader {
     if (found == nullptr) {
       const std::vector<std::string> names = registry_.names();
       const std::string nearest = reader.nearest(*type->text(), names);
-      reader.fault(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
+      reader.error(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
                    nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
     return found;
@@ -311,12 +311,12 @@ class DocumentReader {
                       const DocumentPath& path) {
     prototype.type = &type;
     prototype.parameters = prototype.type->make_parameters();
-    const std::size_t faults_before = reader.fault_count();
+    const std::size_t errors_before = reader.error_count();
     const std::size_t files_before = reader.files().size();
     const Value whole = with_shown(reader, prototype, value, path);
-    if (reader.fault_count() != faults_before) return;
+    if (reader.error_count() != errors_before) return;
     prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), whole, path);
-    if (reader.fault_count() != faults_before) return;
+    if (reader.error_count() != errors_before) return;
     check_shown(reader, prototype, value, path);
     set_fingerprints(prototype, whole, reader.constant_table(), std::span(reader.files()).subspan(files_before),
                      reader.limits());
@@ -329,7 +329,7 @@ class DocumentReader {
     if (prototype.shown.empty() || !watches || !watches(prototype.parameters.get())) return;
     for (const std::string& row : prototype.type->shows.before_growth) {
       if (value.find(row) == nullptr) continue;
-      reader.fault_meaning(DocumentPath(path, row),
+      reader.error_meaning(DocumentPath(path, row),
                            fmt::format("'{}' has no meaning beside the growth of '{}'", row, prototype.shown),
                            "no such key");
     }
@@ -345,7 +345,7 @@ class DocumentReader {
     const Value* shown = position ? typed.values[*position] : nullptr;
     if (shown == nullptr) {
       const std::string nearest = reader.nearest(*of->text(), typed.ids.names());
-      reader.fault(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
+      reader.error(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
                    nearest.empty() ? fmt::format("the id of a component of type {}", shows.type) : "", nearest);
       return value;
     }

@@ -14,7 +14,7 @@ namespace meristem::document_test {
 Document read(const std::string& text) { return read_document(text, "d.json", builtin_components()); }
 
 /// All faults, one per line.
-std::string faults_of(const std::string& text) {
+std::string errors_of(const std::string& text) {
   try {
     read(text);
   } catch (const InputError& error) {
@@ -36,7 +36,7 @@ std::string linked(const std::string& links) {
 
 TEST(Document, SupportsOfNoLengthAreFaults) {
   const auto found = [](const std::string& support) {
-    return faults_of(with("\"scene\": {\"supports\": {\"w\": " + support + "}},"));
+    return errors_of(with("\"scene\": {\"supports\": {\"w\": " + support + "}},"));
   };
   for (const char* const support : {"[[0, 1, 0], [0, 1, 0]]", R"({"line": [[0, 1, 0], [0, 1, 0]]})"}) {
     EXPECT_NE(found(support).find("scene.supports.w.line[1]: the support has no length here"), std::string::npos)
@@ -83,7 +83,7 @@ TEST(Document, LeavesRoomForTheValueWhereBoundsAreNotGiven) {
 
 TEST(Document, ReportsAllFaultsAtOnceWithTheirPlaces) {
   EXPECT_EQ(
-      faults_of(R"({
+      errors_of(R"({
   "meristem": 1,
   "sede": 3,
   "scene": {"latitude": 99},
@@ -107,13 +107,13 @@ std::string type_names() { return fmt::format("{}", fmt::join(builtin_components
 struct Rejection {
   const char* about;
   std::string text;
-  std::string fault;
+  std::string error;
 };
 
 class RejectedDocument : public testing::TestWithParam<Rejection> {};
 
 TEST_P(RejectedDocument, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(faults_of(GetParam().text), "d.json:" + GetParam().fault);
+  EXPECT_EQ(errors_of(GetParam().text), "d.json:" + GetParam().error);
 }
 
 const Rejection kRejections[] = {
@@ -227,14 +227,14 @@ INSTANTIATE_TEST_SUITE_P(Document, RejectedDocument, testing::ValuesIn(kRejectio
 TEST(Document, RejectsLinksThatMakeNoTree) {
   const std::string two = R"("a": {"type": "simple"}, "b": {"type": "simple"})";
   const std::string cameras = two + R"(, "c": {"type": "camera"}, "d": {"type": "camera"})";
-  EXPECT_NE(faults_of(with("", cameras)).find("'d' is a second camera beside 'c'"), std::string::npos);
-  EXPECT_NE(faults_of(with(R"("links": [["a", "c"]],)", two + R"(, "c": {"type": "camera"})"))
+  EXPECT_NE(errors_of(with("", cameras)).find("'d' is a second camera beside 'c'"), std::string::npos);
+  EXPECT_NE(errors_of(with(R"("links": [["a", "c"]],)", two + R"(, "c": {"type": "camera"})"))
                 .find("d.json:2:11: links[0]: the link leads to the camera 'c'"),
             std::string::npos);
-  EXPECT_NE(faults_of(with(R"("links": [["a", "b"], ["b", "a"]],)", two))
+  EXPECT_NE(errors_of(with(R"("links": [["a", "b"], ["b", "a"]],)", two))
                 .find("d.json:2:23: links[1]: the links a > b > a form an endless circle"),
             std::string::npos);
-  EXPECT_NE(faults_of(with(R"("links": [["c", "a"]],)", two + R"(, "c": {"type": "camera"})"))
+  EXPECT_NE(errors_of(with(R"("links": [["c", "a"]],)", two + R"(, "c": {"type": "camera"})"))
                 .find("components.b: 'b' cannot be reached from the camera by links"),
             std::string::npos);
 }

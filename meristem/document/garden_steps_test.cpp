@@ -99,18 +99,18 @@ TEST_F(GardenSteps, AStepEqualsThatOfThePlantsOwnDocument) {
 
 TEST_F(GardenSteps, RecordingChangesNothingAndStepsNeedNoGrowthMore) {
   GrowthCache cache;
-  const GrownDocument recorded = grown({{}, TraceWish::all()}, &cache);
+  const GrownDocument recorded = grown({{}, TraceRequest::all()}, &cache);
   EXPECT_EQ(hash_of_all(recorded.plant), hash_of_all(grown({}).plant));
   EXPECT_GT(recorded.traces.bytes(), 0U);
   EXPECT_FALSE(grown({}).traces.has_growths()) << "nothing is recorded that nobody asks for";
-  const GrownDocument earlier = grown({5, TraceWish::all()}, &cache);
+  const GrownDocument earlier = grown({5, TraceRequest::all()}, &cache);
   EXPECT_EQ(cache.reuse<PlantVariant>().made, 0U);
   EXPECT_EQ(hash_of_stem(placed(earlier.plant, "tree")), alone(5, 3));
 }
 
 TEST_F(GardenSteps, TellsTheStepsOfEachComponent) {
   const std::vector<ComponentSteps> all{{"copse", 9}, {"herb", 4}, {"tree", 18}};
-  EXPECT_EQ(grown({{}, TraceWish::all()}).traces.steps, all);
+  EXPECT_EQ(grown({{}, TraceRequest::all()}).traces.steps, all);
 }
 
 TEST_F(GardenSteps, AStepMayBeThatOfOneComponentAlone) {
@@ -140,7 +140,7 @@ TEST_F(GardenSteps, MarksStandAtThePlaces) {
   }
   EXPECT_EQ(at.traces.marks(6, {TracePart::points}, Progress()).points.size(), 300U);
   // Plants that the view's step no longer applies to are at their last step.
-  GrownDocument other = grown({.step = 6, .wish = {TracePart::points}, .of = "herb"});
+  GrownDocument other = grown({.step = 6, .request = {TracePart::points}, .of = "herb"});
   for (const TracedPlace& point : other.traces.marks(2, {TracePart::points}, Progress()).points)
     if (point.state == PlaceState::used) return;
   FAIL() << "all trees have grown to their end";

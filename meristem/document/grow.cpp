@@ -11,7 +11,7 @@
 
 #include "meristem/base/large_memory.h"
 #include "meristem/document/obstacle_warnings.h"
-#include "meristem/document/placing_faults.h"
+#include "meristem/document/placing_errors.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
@@ -99,7 +99,7 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
   const Document& now = document_at(document, options.time, other, &progress);
   if (&now != &document) return grow_document(now, progress, options);
   GrownDocument grown;
-  grown.plant = placing_faults(document, [&] {
+  grown.plant = placing_errors(document, [&] {
     const bool will_mesh = options.up_to >= GrownPart::meshes && options.detail.level == 0;
     const ExpandOptions expansion{options.cache, options.view, &grown.traces, will_mesh};
     return expand(document.graph, document.scene, options.time, progress, expansion);
@@ -111,7 +111,7 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
     return grown;
   }
   if (options.up_to >= GrownPart::textures) paint_plant(document, grown.plant, progress, options.cache);
-  grown.meshes = placing_faults(document, [&] {
+  grown.meshes = placing_errors(document, [&] {
     return make_mesh_scene(std::exchange(grown.plant, Plant()), document.graph.limits, progress, options.detail);
   });
   grown.up_to = options.up_to;
@@ -137,28 +137,28 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
 
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
                       GrowthCache* cache) {
-  return placing_faults(document,
+  return placing_errors(document,
                         [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail, cache); });
 }
 
 MeshScene mesh_for_rays(const Document& document, const Plant& plant, Progress& progress) {
-  return placing_faults(document, [&] { return make_ray_meshes(plant, document.graph.limits, progress); });
+  return placing_errors(document, [&] { return make_ray_meshes(plant, document.graph.limits, progress); });
 }
 
 MeshScene mesh_for_rays(const Document& document, Plant&& plant, Progress& progress) {
   MeshScene meshes =
-      placing_faults(document, [&] { return make_ray_meshes(std::move(plant), document.graph.limits, progress); });
+      placing_errors(document, [&] { return make_ray_meshes(std::move(plant), document.graph.limits, progress); });
   give_back_memory();
   return meshes;
 }
 
 GeometryCount count_geometry(const Document& document, const Plant& plant, Progress& progress) {
-  return placing_faults(document, [&] { return count_geometry(plant, document.graph.limits, progress); });
+  return placing_errors(document, [&] { return count_geometry(plant, document.graph.limits, progress); });
 }
 
 ViewMeshes view_meshes(const Document& document, const Plant& plant, const ViewMeshOptions& options, Progress& progress,
                        GrowthCache* cache) {
-  return placing_faults(document,
+  return placing_errors(document,
                         [&] { return make_view_meshes(plant, document.graph.limits, options, progress, cache); });
 }
 

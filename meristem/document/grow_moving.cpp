@@ -5,15 +5,15 @@
 #include <stdexcept>
 
 #include "meristem/document/grow.h"
-#include "meristem/document/placing_faults.h"
+#include "meristem/document/placing_errors.h"
 #include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
 MovingScene grow_moving(const Document& document, Progress& progress, const MovingOptions& options) {
-  if (options.keys < 2 || options.keys > kMostKeys) throw std::invalid_argument("a moving scene has 2 to 1000 keys");
+  if (options.keys < 2 || options.keys > kMaxKeys) throw std::invalid_argument("a moving scene has 2 to 1000 keys");
   if (!document.graph.animation) {
-    placing_faults(document, []() -> int {
+    placing_errors(document, []() -> int {
       throw InputError(Diagnostic{.message = "the document has no animation",
                                   .expected = "the key 'animation' with a length in seconds"});
     });
@@ -29,13 +29,13 @@ MovingScene grow_moving(const Document& document, Progress& progress, const Movi
     std::optional<Document> other;
     const Document& now = document_at(document, time, other, &progress);
     GrownDocument grown = grow_document(now, progress, {.time = time, .up_to = GrownPart::plant, .cache = &cache});
-    placing_faults(now, [&] {
+    placing_errors(now, [&] {
       paint_plant(now, grown.plant, progress, &cache);
       const ExpandedPlant plant(grown.plant, document.graph.limits, progress);
       maker.add(k, time, *plant, progress);
     });
   }
-  return placing_faults(document, [&] { return maker.take(progress); });
+  return placing_errors(document, [&] { return maker.take(progress); });
 }
 
 }  // namespace meristem

@@ -9,12 +9,12 @@
 
 namespace meristem {
 
-inline constexpr std::size_t kUsualKeys = 16;   ///< default number of times in an animated file
-inline constexpr std::size_t kMostKeys = 1000;  ///< largest number of times
+inline constexpr std::size_t kUsualKeys = 16;  ///< default number of times in an animated file
+inline constexpr std::size_t kMaxKeys = 1000;  ///< largest number of times
 
 /// Options for growing a document as a moving scene.
 struct MovingOptions {
-  std::size_t keys = kUsualKeys;  ///< number of times at which it is grown, 2 to kMostKeys; more give a closer and
+  std::size_t keys = kUsualKeys;  ///< number of times at which it is grown, 2 to kMaxKeys; more give a closer and
                                   ///< larger scene
   MovingLimits limits;            ///< limits of the moving scene
 };

@@ -115,7 +115,7 @@ TEST(GrowMoving, ADocumentWithoutAnAnimationIsRefused) {
 }
 
 /// The fault of growing this so.
-Diagnostic fault_of(const Document& document, const MovingOptions& options) {
+Diagnostic error_of(const Document& document, const MovingOptions& options) {
   Progress progress;
   try {
     grow_moving(document, progress, options);
@@ -127,12 +127,12 @@ Diagnostic fault_of(const Document& document, const MovingOptions& options) {
 }
 
 TEST(GrowMoving, FaultsHaveTheirPlace) {
-  const Diagnostic motion = fault_of(read(kTree), {.keys = 4, .limits = {.bytes = 1000}});
+  const Diagnostic motion = error_of(read(kTree), {.keys = 4, .limits = {.bytes = 1000}});
   EXPECT_EQ(motion.file, "d.json");
   EXPECT_EQ(motion.line, 2) << "where the animation is";
   Document meshes = read(kFlower);
   meshes.graph.limits.triangles = 5;
-  const Diagnostic triangles = fault_of(meshes, {.keys = 2});
+  const Diagnostic triangles = error_of(meshes, {.keys = 2});
   EXPECT_EQ(triangles.file, "d.json");
   EXPECT_GT(triangles.line, 3) << triangles.path;
 }

@@ -45,7 +45,7 @@ std::string hash_of(const Document& document) {
   return hash128_hex(bytes);
 }
 
-std::string fault_of(const std::string& text, const std::vector<Override>& overrides = {}) {
+std::string error_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   const Document document = read(text, overrides);
   try {
     Progress progress;
@@ -73,27 +73,27 @@ TEST(GrowDocument, GivesOtherBytesForAnotherSeed) {
 TEST(GrowDocument, PlacesTheFaultOfALimitInTheText) {
   std::string text = kTree;
   text.insert(text.find("\"components\""), "\"limits\": {\"nodes\": 20}, ");
-  const std::string nodes = fault_of(text);
+  const std::string nodes = error_of(text);
   EXPECT_EQ(nodes.substr(0, 10), "tree.json:") << nodes;
   EXPECT_NE(nodes.find("components.tree"), std::string::npos) << nodes;
   EXPECT_NE(nodes.find("(limits.nodes)"), std::string::npos) << nodes;
 
   text = kTree;
   text.insert(text.find("\"components\""), "\"limits\": {\"instances\": 20}, ");
-  const std::string instances = fault_of(text);
+  const std::string instances = error_of(text);
   EXPECT_EQ(instances.substr(0, 34), "tree.json:8:73: links[0].density: ") << instances;
 }
 
 TEST(GrowDocument, PlacesAFaultAtTheOverrideThatBroughtIt) {
-  const std::string fault = fault_of(kTree, {parse_override("links[0].density=1e8")});
-  EXPECT_EQ(fault.substr(0, 24), "--set links[0].density: ") << fault;
+  const std::string error = error_of(kTree, {parse_override("links[0].density=1e8")});
+  EXPECT_EQ(error.substr(0, 24), "--set links[0].density: ") << error;
 }
 
 TEST(GrowDocument, PlacesNumbersThatAreNotFinite) {
   std::string text = kTree;
   text.replace(text.find("20*rand(-1,1)"), 13, "sqrt(-1 - i)");
-  const std::string fault = fault_of(text);
-  EXPECT_EQ(fault.substr(0, 40), "tree.json:6:77: components.leaf.curl: th") << fault;
+  const std::string error = error_of(text);
+  EXPECT_EQ(error.substr(0, 40), "tree.json:6:77: components.leaf.curl: th") << error;
 }
 
 TEST(GrowDocument, StopsWhenCancelled) {

@@ -102,7 +102,7 @@ TEST(GrowthSteps, AStepEqualsAGrowthWithNoMoreIterations) {
 }
 
 TEST(GrowthSteps, RecordingChangesNothing) {
-  const GrowthView all{{}, TraceWish::all()};
+  const GrowthView all{{}, TraceRequest::all()};
   for (const char* text : {kColonizing, kOrganizing, kTrained, kMarkers}) {
     const Document document = read(text);
     const GrownDocument plain = grown(document, {});
@@ -167,15 +167,15 @@ TEST(GrowthSteps, PointsAreUsedUpNearNodesAndNeverComeBack) {
 }
 
 TEST(GrowthSteps, TracesAreTheSameOnAnyNumberOfThreads) {
-  const GrowthView all{{}, TraceWish::all()};
+  const GrowthView all{{}, TraceRequest::all()};
   for (const char* text : {kColonizing, kOrganizing, kMarkers}) {
     const Document document = read(text);
     const GrownDocument many = grown(document, all);
     const ThreadLimit one(1);
     const GrownDocument single = grown(document, all);
     for (const int step : {2, 5, 7}) {
-      const StepMarks a = many.traces.marks(step, all.wish, Progress());
-      const StepMarks b = single.traces.marks(step, all.wish, Progress());
+      const StepMarks a = many.traces.marks(step, all.request, Progress());
+      const StepMarks b = single.traces.marks(step, all.request, Progress());
       EXPECT_EQ(a.points, b.points);
       EXPECT_EQ(a.pulls, b.pulls);
       EXPECT_EQ(a.ways, b.ways);

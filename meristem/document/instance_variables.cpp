@@ -52,7 +52,7 @@ class InstanceVariableReader {
       if (is_identifier(name) && !has_meaning(name)) {
         drafts_.push_back({.name = name, .said = &said, .value = {}});
       } else {
-        reader_.fault_name(DocumentPath(path_, name),
+        reader_.error_name(DocumentPath(path_, name),
                            fmt::format("'{}' already has a meaning in expressions, or is no name", name),
                            "another name", "");
       }
@@ -65,16 +65,16 @@ class InstanceVariableReader {
     std::vector<std::string> names;
     for (const Draft& draft : drafts_) {
       if (columns.contains(draft.name)) {
-        reader_.fault_name(DocumentPath(path_, draft.name),
+        reader_.error_name(DocumentPath(path_, draft.name),
                            fmt::format("'{}' is already a column of places", draft.name), "another name", "");
       }
       names.push_back(draft.name);
     }
     graph_.site_names.insert(graph_.site_names.end(), names.begin(), names.end());
     reader_.add_instance_names(names);
-    const std::size_t faults_before = reader_.fault_count();
+    const std::size_t errors_before = reader_.error_count();
     for (Draft& draft : drafts_) read(draft);
-    if (reader_.fault_count() == faults_before) add_in_order();
+    if (reader_.error_count() == errors_before) add_in_order();
   }
 
  private:
@@ -116,7 +116,7 @@ class InstanceVariableReader {
       for (const Prototype& prototype : graph_.components) id_list_.push_back(prototype.id);
     }
     const std::string nearest = reader_.nearest(id, id_list_);
-    reader_.fault(path, fmt::format("there is no component '{}'", id), nearest.empty() ? "the id of a component" : "",
+    reader_.error(path, fmt::format("there is no component '{}'", id), nearest.empty() ? "the id of a component" : "",
                   nearest);
   }
 
@@ -174,7 +174,7 @@ class InstanceVariableReader {
     way.erase(way.begin(), std::ranges::find(way, at));
     std::string text;
     for (const std::size_t k : way) text += drafts_[k].name + " -> ";
-    reader_.fault(DocumentPath(DocumentPath(path_, drafts_[at].name), "value"),
+    reader_.error(DocumentPath(DocumentPath(path_, drafts_[at].name), "value"),
                   fmt::format("the variables {}{} depend on each other in a circle", text, drafts_[at].name),
                   "an expression without this circle");
   }

@@ -24,7 +24,7 @@ constexpr std::size_t kLongestKey = 1000;  // bytes; keys appear in messages, an
 
 /// Rewrites a message of the parser: "syntax error while parsing object - unexpected string literal; last read: '"b"';
 /// expected '}'" becomes "unexpected string literal", with ',' or '}' as expected.
-Diagnostic syntax_fault(std::string_view what) {
+Diagnostic syntax_error(std::string_view what) {
   const std::size_t dash = what.find(" - ");
   if (dash != std::string_view::npos) {
     what.remove_prefix(dash + 3);
@@ -32,18 +32,18 @@ Diagnostic syntax_fault(std::string_view what) {
     what.remove_prefix(bracket + 2);
   }
   constexpr std::string_view kExpected = "; expected ";
-  Diagnostic fault{.message = std::string(what)};
+  Diagnostic error{.message = std::string(what)};
   if (const std::size_t at = what.rfind(kExpected); at != std::string_view::npos) {
-    fault.expected = what.substr(at + kExpected.size());
-    fault.message.resize(at);
+    error.expected = what.substr(at + kExpected.size());
+    error.message.resize(at);
   }
   // The text that was read last is removed: it may be the whole document, or not UTF-8.
-  for (std::string* part : {&fault.message, &fault.expected})
+  for (std::string* part : {&error.message, &error.expected})
     part->resize(std::min(part->find("; last read: "), part->size()));
-  if (fault.expected == "'}'" || fault.expected == "']'") fault.expected = "',' or " + fault.expected;
-  if (fault.expected == "'[', '{', or a literal") fault.expected = "a value";
-  if (fault.expected == "string literal") fault.expected = "a key in quotes";
-  return fault;
+  if (error.expected == "'}'" || error.expected == "']'") error.expected = "',' or " + error.expected;
+  if (error.expected == "'[', '{', or a literal") error.expected = "a value";
+  if (error.expected == "string literal") error.expected = "a key in quotes";
+  return error;
 }
 
 /// Builds the tree from the parser's events without recursion. Stops at the first fault.
@@ -87,10 +87,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const bool is_token = what.find(" - unexpected ") != std::string_view::npos &&
                           what.find(" literal", what.find(" - unexpected ")) < what.find("; ");
     const std::size_t back = is_token || is_overflow ? token.size() : 1;
-    fault_ = is_overflow ? Diagnostic{.message = fmt::format("the number {} is too large", token)} : syntax_fault(what);
+    error_ = is_overflow ? Diagnostic{.message = fmt::format("the number {} is too large", token)} : syntax_error(what);
     const TextPosition at = text_position(text_, position - std::min(position, back));
-    fault_->line = at.line;
-    fault_->column = at.column;
+    error_->line = at.line;
+    error_->column = at.column;
     return false;
   }
 
@@ -100,14 +100,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     open_.push_back(std::move(root_));
     return std::move(open_);
   }
-  const std::optional<Diagnostic>& fault() const { return fault_; }
+  const std::optional<Diagnostic>& error() const { return error_; }
 
  private:
   /// Stops the parser with a fault at `path`.
-  bool stop(std::string path, Diagnostic fault) {
-    fault.path = std::move(path);
-    locate_diagnostics(text_, std::span(&fault, 1));
-    fault_ = std::move(fault);
+  bool stop(std::string path, Diagnostic error) {
+    error.path = std::move(path);
+    locate_diagnostics(text_, std::span(&error, 1));
+    error_ = std::move(error);
     return false;
   }
 
@@ -190,7 +190,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
-  std::optional<Diagnostic> fault_;
+  std::optional<Diagnostic> error_;
 };
 
 }  // namespace
@@ -214,7 +214,7 @@ Value parse_json(std::string_view text, const Limits& limits, const Progress* pr
     free_later(builder.take_all());
     throw;
   }
-  if (builder.fault()) throw InputError(*builder.fault());
+  if (builder.error()) throw InputError(*builder.error());
   return builder.take_root();
 }
 

@@ -9,7 +9,7 @@
 namespace meristem::json_test {
 
 /// "line:column: message; expected ...", as users read it.
-std::string fault_of(std::string_view text, const Limits& limits = {}) {
+std::string error_of(std::string_view text, const Limits& limits = {}) {
   try {
     parse_json(text, limits);
   } catch (const InputError& error) {
@@ -32,56 +32,56 @@ TEST(Json, SkipsCommentsAndAByteOrderMark) {
 }
 
 TEST(Json, SaysWhereTheSyntaxBreaksAndWhatWasExpected) {
-  EXPECT_EQ(fault_of(R"({"a": 1 "b": 2})"), "1:9: unexpected string literal; expected ',' or '}'");
-  EXPECT_EQ(fault_of("[1,\n  2,, 3]"), "2:5: unexpected ','; expected a value");
-  EXPECT_EQ(fault_of(R"({"a" 1})"), "1:6: unexpected number literal; expected ':'");
-  EXPECT_EQ(fault_of(R"({"a": 1,})"), "1:9: unexpected '}'; expected a key in quotes");
-  EXPECT_EQ(fault_of("[1 2]"), "1:4: unexpected number literal; expected ',' or ']'");
-  EXPECT_EQ(fault_of("[1] [2]"), "1:5: unexpected '['; expected end of input");
-  EXPECT_EQ(fault_of(""), "1:1: unexpected end of input; expected a value");
-  EXPECT_EQ(fault_of("[tru]"), "1:5: invalid literal");
-  EXPECT_EQ(fault_of("[-x]"), "1:3: invalid number; expected digit after '-'");
-  EXPECT_EQ(fault_of(R"(["a)"), "1:4: invalid string: missing closing quote");
-  EXPECT_EQ(fault_of(R"(["\q"])"), "1:4: invalid string: forbidden character after backslash");
-  EXPECT_EQ(fault_of("[/* "), "1:5: invalid comment; missing closing '*/'");
+  EXPECT_EQ(error_of(R"({"a": 1 "b": 2})"), "1:9: unexpected string literal; expected ',' or '}'");
+  EXPECT_EQ(error_of("[1,\n  2,, 3]"), "2:5: unexpected ','; expected a value");
+  EXPECT_EQ(error_of(R"({"a" 1})"), "1:6: unexpected number literal; expected ':'");
+  EXPECT_EQ(error_of(R"({"a": 1,})"), "1:9: unexpected '}'; expected a key in quotes");
+  EXPECT_EQ(error_of("[1 2]"), "1:4: unexpected number literal; expected ',' or ']'");
+  EXPECT_EQ(error_of("[1] [2]"), "1:5: unexpected '['; expected end of input");
+  EXPECT_EQ(error_of(""), "1:1: unexpected end of input; expected a value");
+  EXPECT_EQ(error_of("[tru]"), "1:5: invalid literal");
+  EXPECT_EQ(error_of("[-x]"), "1:3: invalid number; expected digit after '-'");
+  EXPECT_EQ(error_of(R"(["a)"), "1:4: invalid string: missing closing quote");
+  EXPECT_EQ(error_of(R"(["\q"])"), "1:4: invalid string: forbidden character after backslash");
+  EXPECT_EQ(error_of("[/* "), "1:5: invalid comment; missing closing '*/'");
 }
 
 TEST(Json, CountsColumnsInCharacters) {
-  EXPECT_EQ(fault_of("[\"\xC3\xA4\xC3\xA4\", ]"), "1:8: unexpected ']'; expected a value");
+  EXPECT_EQ(error_of("[\"\xC3\xA4\xC3\xA4\", ]"), "1:8: unexpected ']'; expected a value");
 }
 
 TEST(Json, RejectsTextThatIsNotUtf8WithoutRepeatingIt) {
-  EXPECT_EQ(fault_of("[\"a\xFF\"]"), "1:4: invalid string: ill-formed UTF-8 byte");
-  EXPECT_EQ(fault_of("[\"\xC0\xAF\"]"), "1:3: invalid string: ill-formed UTF-8 byte");
-  EXPECT_EQ(fault_of("[\xFF]"), "1:2: invalid literal");
+  EXPECT_EQ(error_of("[\"a\xFF\"]"), "1:4: invalid string: ill-formed UTF-8 byte");
+  EXPECT_EQ(error_of("[\"\xC0\xAF\"]"), "1:3: invalid string: ill-formed UTF-8 byte");
+  EXPECT_EQ(error_of("[\xFF]"), "1:2: invalid literal");
 }
 
 TEST(Json, RejectsAByteThatTheParserTakesForTheEnd) {
-  EXPECT_EQ(fault_of(std::string_view("[1, // \0 2]\n3]", 15)), "1:8: a byte 0x00; expected text in UTF-8 without it");
-  EXPECT_EQ(fault_of(std::string_view("[1]\0 2", 6)), "1:4: a byte 0x00; expected text in UTF-8 without it");
+  EXPECT_EQ(error_of(std::string_view("[1, // \0 2]\n3]", 15)), "1:8: a byte 0x00; expected text in UTF-8 without it");
+  EXPECT_EQ(error_of(std::string_view("[1]\0 2", 6)), "1:4: a byte 0x00; expected text in UTF-8 without it");
 }
 
 TEST(Json, RejectsNumbersThatADoubleCannotHold) {
-  EXPECT_EQ(fault_of("[1,\n 1e999]"), "2:2: the number 1e999 is too large");
+  EXPECT_EQ(error_of("[1,\n 1e999]"), "2:2: the number 1e999 is too large");
   EXPECT_EQ(parse_json("1e-999"), Value(0.0));
 }
 
 TEST(Json, RejectsAKeyGivenTwiceAtItsSecondPlace) {
-  EXPECT_EQ(fault_of("{\"a\": {\"b\": 1,\n  \"c\": 2, \"b\": 3}}"),
+  EXPECT_EQ(error_of("{\"a\": {\"b\": 1,\n  \"c\": 2, \"b\": 3}}"),
             "2:11: a.b: the key 'b' is given twice in one object; expected each key once");
-  EXPECT_EQ(fault_of(R"([{"a": 1, "\u0061": 2}])"),
+  EXPECT_EQ(error_of(R"([{"a": 1, "\u0061": 2}])"),
             "1:11: [0].a: the key 'a' is given twice in one object; expected each key once");
 }
 
 TEST(Json, RejectsKeysOfAThousandBytes) {
-  EXPECT_EQ(fault_of("{\"" + std::string(1001, 'k') + "\": 1}"),
+  EXPECT_EQ(error_of("{\"" + std::string(1001, 'k') + "\": 1}"),
             "1:1: a key is 1001 bytes long; expected at most 1000");
 }
 
 TEST(Json, RejectsNestingPastTheLimitWhereItPasses) {
   const Limits limits{.nesting = 3};
   EXPECT_EQ(parse_json("[[[1]]]", limits), Value(Value::List{Value(Value::List{Value(Value::List{1.0})})}));
-  EXPECT_EQ(fault_of("[[\n [[1]]]]", limits),
+  EXPECT_EQ(error_of("[[\n [[1]]]]", limits),
             "2:3: [0][0][0]: lists and objects are nested deeper than 3 levels; expected a flatter document");
 }
 
@@ -89,12 +89,12 @@ TEST(Json, AnswersForMillionsOfBrackets) {
   for (const char* bracket : {"[", "{\"a\":", "[{\"a\":"}) {
     std::string text;
     while (text.size() < 4'000'000) text += bracket;
-    EXPECT_NE(fault_of(text).find("nested deeper than 64 levels"), std::string::npos);
+    EXPECT_NE(error_of(text).find("nested deeper than 64 levels"), std::string::npos);
   }
 }
 
 TEST(Json, RejectsTextPastTheLimitOfBytes) {
-  EXPECT_EQ(fault_of("[1, 2]", {.document_bytes = 5}), "the text has 6 bytes; expected at most 5");
+  EXPECT_EQ(error_of("[1, 2]", {.document_bytes = 5}), "the text has 6 bytes; expected at most 5");
 }
 
 TEST(Json, WritesACanonicalForm) {

@@ -82,28 +82,28 @@ bool stands_without(const Plan& plan, std::size_t component, std::size_t giver) 
   return reached[component];
 }
 
-std::vector<std::string> expected_faults(const Plan& plan) {
-  std::vector<std::string> faults;
+std::vector<std::string> expected_errors(const Plan& plan) {
+  std::vector<std::string> errors;
   for (std::size_t v = 0; v < plan.variables.size(); ++v) {
     const std::size_t owner = plan.variables[v].owner;
     for (std::size_t c = 0; c < plan.used.size(); ++c) {
       if (plan.used[c] == v && c != owner && stands_without(plan, c, owner)) {
-        faults.push_back(fmt::format("components.c{}: 'c{}' uses 'v{}'", c, c, v));
+        errors.push_back(fmt::format("components.c{}: 'c{}' uses 'v{}'", c, c, v));
       }
     }
     for (std::size_t user = 0; user < plan.variables.size(); ++user) {
       const Drawn& variable = plan.variables[user];
       const bool uses = std::ranges::find(variable.uses, v) != variable.uses.end();
       if (uses && variable.owner != owner && stands_without(plan, variable.owner, owner)) {
-        faults.push_back(fmt::format("variables.v{}.value: 'v{}' uses 'v{}'", user, user, v));
+        errors.push_back(fmt::format("variables.v{}.value: 'v{}' uses 'v{}'", user, user, v));
       }
     }
   }
-  return faults;
+  return errors;
 }
 
 TEST(LargeDocument, ComponentsWithoutTheirVariablesAreThoseThatAWalkFinds) {
-  int with_faults = 0;
+  int with_errors = 0;
   int without = 0;
   for (std::uint64_t round = 0; round < 100; ++round) {
     const Plan plan = drawn_plan(RandomKey().child(round));
@@ -112,14 +112,14 @@ TEST(LargeDocument, ComponentsWithoutTheirVariablesAreThoseThatAWalkFinds) {
       read_document(text_of(plan), "d.json", builtin_components());
       ++without;
     } catch (const InputError& error) {
-      for (const Diagnostic& fault : error.diagnostics()) {
-        found.push_back(fault.path + ": " + fault.message.substr(0, fault.message.find(',')));
+      for (const Diagnostic& error : error.diagnostics()) {
+        found.push_back(error.path + ": " + error.message.substr(0, error.message.find(',')));
       }
-      ++with_faults;
+      ++with_errors;
     }
-    EXPECT_EQ(found, expected_faults(plan)) << text_of(plan);
+    EXPECT_EQ(found, expected_errors(plan)) << text_of(plan);
   }
-  EXPECT_GT(with_faults, 20);
+  EXPECT_GT(with_errors, 20);
   EXPECT_GT(without, 0);
 }
 
@@ -163,12 +163,12 @@ TEST(LargeDocument, FaultsAmongManyNamesProposeOnlySoManyNames) {
     read_document(text, "d.json", builtin_components());
     FAIL();
   } catch (const InputError& error) {
-    const std::vector<Diagnostic>& faults = error.diagnostics();
-    ASSERT_EQ(faults.size(), 100u);
-    const auto has_nearest = [](const Diagnostic& fault) { return !fault.nearest.empty(); };
-    EXPECT_EQ(std::ranges::count_if(faults, has_nearest), 2'000'000 / kComponents);
-    EXPECT_FALSE(faults.front().nearest.empty());
-    EXPECT_EQ(faults.back().expected, "the id of a component");
+    const std::vector<Diagnostic>& errors = error.diagnostics();
+    ASSERT_EQ(errors.size(), 100u);
+    const auto has_nearest = [](const Diagnostic& error) { return !error.nearest.empty(); };
+    EXPECT_EQ(std::ranges::count_if(errors, has_nearest), 2'000'000 / kComponents);
+    EXPECT_FALSE(errors.front().nearest.empty());
+    EXPECT_EQ(errors.back().expected, "the id of a component");
   }
 }
 
@@ -182,8 +182,8 @@ TEST(LargeDocument, IsNotReadAfterItWasCancelled) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(read_document(many_leaves(5000), "d.json", builtin_components(), {.progress = &progress}), Cancelled);
-  std::vector<Diagnostic> faults{{.message = "m", .path = "components.c4999"}};
-  EXPECT_THROW(locate_diagnostics(many_leaves(5000), faults, &progress), Cancelled);
+  std::vector<Diagnostic> errors{{.message = "m", .path = "components.c4999"}};
+  EXPECT_THROW(locate_diagnostics(many_leaves(5000), errors, &progress), Cancelled);
   EXPECT_THROW(component_notes(many_leaves(5000), &progress), Cancelled);
 }
 

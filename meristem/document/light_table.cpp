@@ -14,9 +14,9 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSeasonHours = 1;        // hours between the positions of a season, by default
-constexpr double kMostPositions = 10000;  // allows all hours of a year; growth traces shade for each position
-constexpr std::size_t kMostLamps = 1000;
+constexpr double kSeasonHours = 1;       // hours between the positions of a season, by default
+constexpr double kMaxPositions = 10000;  // allows all hours of a year; growth traces shade for each position
+constexpr std::size_t kMaxLamps = 1000;
 constexpr int kDaysOfYear = 365;
 
 /// Returns the days of a season. A season that ends before it begins continues into the next year.
@@ -36,10 +36,10 @@ std::vector<double> season_days(const SunParameters& sun) {
 void check_positions(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   const double a_day = 2 * std::floor(12 / sun.every_hours.value_or(kSeasonHours)) + 1;
   const double days = sun.days.empty() ? 1 : static_cast<double>(season_days(sun).size());
-  if (days * a_day <= kMostPositions) return;
+  if (days * a_day <= kMaxPositions) return;
   const char* const name = sun.every_hours && a_day > days ? "every_hours" : "every_days";
-  reader.fault(DocumentPath(path, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
-               fmt::format("at most {}: a longer '{}'", kMostPositions, name));
+  reader.error(DocumentPath(path, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
+               fmt::format("at most {}: a longer '{}'", kMaxPositions, name));
 }
 
 /// Returns the day of the year that a day or a date gives, or nothing.
@@ -53,11 +53,11 @@ bool has_days(const SunParameters& sun) { return sun.day || !sun.days.empty() ||
 
 void check_clock(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   if (!sun.date.empty() && !parse_date(sun.date)) {
-    reader.fault(DocumentPath(path, "date"), fmt::format("'{}' is not a date", sun.date),
+    reader.error(DocumentPath(path, "date"), fmt::format("'{}' is not a date", sun.date),
                  "a day from 1900 to 2100, such as \"2026-06-21\"");
   }
   if (!sun.time || (sun.longitude && sun.utc_offset)) return;
-  reader.fault(DocumentPath(path, "time"),
+  reader.error(DocumentPath(path, "time"),
                fmt::format("clock time needs {}", sun.longitude    ? "a 'utc_offset'"
                                                   : sun.utc_offset ? "a 'longitude'"
                                                                    : "a 'longitude' and a 'utc_offset'"),
@@ -69,12 +69,12 @@ void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterRead
   const bool by_place = sun.azimuth || sun.altitude;
   const bool by_day = has_days(sun);
   if (by_place == by_day) {
-    return reader.fault(path,
+    return reader.error(path,
                         by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
                         R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {
-    return reader.fault(path, "the sun has only one of 'azimuth' and 'altitude'",
+    return reader.error(path, "the sun has only one of 'azimuth' and 'altitude'",
                         R"(both, as in {"azimuth": 180, "altitude": 61})");
   }
   if (sun.every_hours || !sun.days.empty()) check_positions(sun, path, reader);
@@ -219,11 +219,11 @@ const ParameterTable& light_table() {
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader) {
   const std::optional<SunParameters>& sun = settings.sun;
   if (sun && has_days(*sun) && !settings.latitude) {
-    reader.fault(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
+    reader.error(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
   }
-  if (settings.lamps.size() > kMostLamps) {
-    reader.fault(DocumentPath(path, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
-                 fmt::format("at most {}", kMostLamps));
+  if (settings.lamps.size() > kMaxLamps) {
+    reader.error(DocumentPath(path, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
+                 fmt::format("at most {}", kMaxLamps));
   }
 }
 

@@ -18,7 +18,7 @@ Document read_in(const std::string& scene, const std::vector<Override>& override
       "d.json", builtin_components(), {.overrides = overrides});
 }
 
-std::string faults_of(const std::string& scene) {
+std::string errors_of(const std::string& scene) {
   try {
     read_in(scene);
   } catch (const InputError& error) {
@@ -78,27 +78,27 @@ TEST(SceneLight, ADateIsADayAndATimeAnHour) {
 }
 
 TEST(SceneLight, SaysWhatIsWrongWithAClock) {
-  const auto fault = [](const std::string& sun) {
-    return faults_of(fmt::format("{{\"latitude\": 50, \"sun\": {}}}", sun));
+  const auto error = [](const std::string& sun) {
+    return errors_of(fmt::format("{{\"latitude\": 50, \"sun\": {}}}", sun));
   };
-  EXPECT_NE(fault(R"({"date": "2026-06-31"})").find("scene.sun.date: '2026-06-31' is not a date"), std::string::npos);
-  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30"})").find("needs a 'longitude' and a 'utc_offset'"),
+  EXPECT_NE(error(R"({"date": "2026-06-31"})").find("scene.sun.date: '2026-06-31' is not a date"), std::string::npos);
+  EXPECT_NE(error(R"({"date": "2026-06-21", "time": "15:30"})").find("needs a 'longitude' and a 'utc_offset'"),
             std::string::npos);
-  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30", "longitude": 7})").find("needs a 'utc_offset'"),
+  EXPECT_NE(error(R"({"date": "2026-06-21", "time": "15:30", "longitude": 7})").find("needs a 'utc_offset'"),
             std::string::npos);
-  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:70", "longitude": 7, "utc_offset": 1})")
+  EXPECT_NE(error(R"({"date": "2026-06-21", "time": "15:70", "longitude": 7, "utc_offset": 1})")
                 .find("scene.sun.time: '15:70' is not a time"),
             std::string::npos);
-  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": 25, "longitude": 7, "utc_offset": 1})").find("scene.sun.time"),
+  EXPECT_NE(error(R"({"date": "2026-06-21", "time": 25, "longitude": 7, "utc_offset": 1})").find("scene.sun.time"),
             std::string::npos);
   EXPECT_NE(
-      fault(R"({"date": "2026-06-21", "time": 9, "longitude": 181, "utc_offset": 1})").find("scene.sun.longitude"),
+      error(R"({"date": "2026-06-21", "time": 9, "longitude": 181, "utc_offset": 1})").find("scene.sun.longitude"),
       std::string::npos);
   for (const char* wrong : {R"({"day": 172, "time": 9, "longitude": 7, "utc_offset": 1})",
                             R"({"date": "2026-06-21", "day": 172})", R"({"date": "2026-06-21", "days": [1, 9]})",
                             R"({"day": 172, "longitude": 7})", R"({"azimuth": 1, "altitude": 1, "date": "2026-06-21"})",
                             R"({"date": "2026-06-21", "time": 9, "hour": 9, "longitude": 7, "utc_offset": 1})"}) {
-    EXPECT_NE(fault(wrong), "no fault") << wrong;
+    EXPECT_NE(error(wrong), "no fault") << wrong;
   }
   EXPECT_NE(warnings_of(R"({"latitude": 50, "sun": {"date": "2026-06-21", "time": "23:30", "longitude": 7,
                                                      "utc_offset": 1}})")
@@ -209,13 +209,13 @@ TEST(SceneLight, StaysDarkInThePolarNightButForTheShareOfTheSky) {
 struct Rejection {
   const char* about;
   const char* scene;
-  const char* fault;
+  const char* error;
 };
 
 class RejectedLight : public testing::TestWithParam<Rejection> {};
 
 TEST_P(RejectedLight, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(faults_of(GetParam().scene), fmt::format("d.json:2:{}", GetParam().fault));
+  EXPECT_EQ(errors_of(GetParam().scene), fmt::format("d.json:2:{}", GetParam().error));
 }
 
 const Rejection kRejections[] = {
@@ -272,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(SceneLight, RejectedLight, testing::ValuesIn(kRejection
 TEST(SceneLight, RejectsLampsWithoutNumber) {
   std::string lamps;
   for (int k = 0; k < 1001; ++k) lamps += fmt::format(R"({}{{"position": [{}, 3, 0]}})", k == 0 ? "" : ", ", k);
-  EXPECT_EQ(faults_of(fmt::format(R"({{"lamps": [{}]}})", lamps)),
+  EXPECT_EQ(errors_of(fmt::format(R"({{"lamps": [{}]}})", lamps)),
             "d.json:2:11: scene.lamps: 1001 lamps are too many; expected at most 1000");
 }
 

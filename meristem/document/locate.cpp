@@ -294,9 +294,9 @@ Value parse_json_of(const std::string& text, const std::string& file) {
   try {
     return parse_json(text);
   } catch (const InputError& error) {
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) fault.file = file;
-    throw InputError(std::move(faults));
+    std::vector<Diagnostic> errors = error.diagnostics();
+    for (Diagnostic& error : errors) error.file = file;
+    throw InputError(std::move(errors));
   }
 }
 

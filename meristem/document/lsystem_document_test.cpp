@@ -19,10 +19,10 @@ Document read(const std::string& text, const std::string& file = "d.json") {
   return read_document(text, file, builtin_components());
 }
 
-std::string faults_of_text(const std::string& text, const std::string& file = "d.json") {
-  std::string faults;
-  for (const Diagnostic& fault : faults_of([&] { read(text, file); })) faults += fault.text() + "\n";
-  return faults;
+std::string errors_of_text(const std::string& text, const std::string& file = "d.json") {
+  std::string errors;
+  for (const Diagnostic& error : errors_of([&] { read(text, file); })) errors += error.text() + "\n";
+  return errors;
 }
 
 GrownDocument grown(const std::string& text) {
@@ -31,8 +31,8 @@ GrownDocument grown(const std::string& text) {
 }
 
 TEST(LsystemDocument, FaultsOfLinesStandAtTheirPlaces) {
-  const std::string faults =
-      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  const std::string errors =
+      errors_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
   "grammar": [
     "F(1)",
     "#rules",
@@ -41,34 +41,34 @@ TEST(LsystemDocument, FaultsOfLinesStandAtTheirPlaces) {
 }
 }
 })json");
-  EXPECT_THAT(faults, HasSubstr("d.json:5:16: components.plant.grammar[2]: "));
+  EXPECT_THAT(errors, HasSubstr("d.json:5:16: components.plant.grammar[2]: "));
 }
 
 TEST(LsystemDocument, ElementsOfAListMayHoldSeveralLines) {
-  const std::string faults =
-      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  const std::string errors =
+      errors_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
   "grammar": [
     "F(1)\n\n#rules",
     "F(x) -> F(y)"
   ]}}})json");
-  EXPECT_THAT(faults, HasSubstr("d.json:4:16: components.plant.grammar[1]: "));
+  EXPECT_THAT(errors, HasSubstr("d.json:4:16: components.plant.grammar[1]: "));
 }
 
 TEST(LsystemDocument, NamesTheElementThatIsNoText) {
-  const std::string faults =
-      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  const std::string errors =
+      errors_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
   "grammar": ["F", 3]}}})json");
-  EXPECT_THAT(faults, HasSubstr("d.json:2:20: components.plant.grammar[1]: "));
+  EXPECT_THAT(errors, HasSubstr("d.json:2:20: components.plant.grammar[1]: "));
 }
 
 TEST(LsystemDocument, FaultsOfATextStandAtTheirPlaces) {
-  const std::string faults =
-      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  const std::string errors =
+      errors_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
   "grammar": "F(1)\n#rules\nF(x) -> F(y)"
 }
 }
 })json");
-  EXPECT_THAT(faults, HasSubstr("d.json:2:39: components.plant.grammar: "));
+  EXPECT_THAT(errors, HasSubstr("d.json:2:39: components.plant.grammar: "));
 }
 
 class GrammarFile : public testing::Test {
@@ -94,11 +94,11 @@ TEST_F(GrammarFile, IsReadWithWhatItIncludes) {
 
 TEST_F(GrammarFile, FaultsNameFileAndLine) {
   write("plant.lsys", "F(1)\n#rules\nF(x) -> F(y)\n");
-  EXPECT_THAT(faults_of_text(kWithFile, document()), HasSubstr("components.plant.file: 'plant.lsys:3:11': "));
+  EXPECT_THAT(errors_of_text(kWithFile, document()), HasSubstr("components.plant.file: 'plant.lsys:3:11': "));
 }
 
 TEST_F(GrammarFile, MayBeMissing) {
-  EXPECT_THAT(faults_of_text(kWithFile, document()), HasSubstr("components.plant.file: "));
+  EXPECT_THAT(errors_of_text(kWithFile, document()), HasSubstr("components.plant.file: "));
 }
 
 constexpr const char* kPlaced = R"json({"meristem": 1, "components": {
@@ -129,16 +129,16 @@ TEST(LsystemDocument, StemsThatItPlacesBecomeItsBranches) {
 }
 
 TEST(LsystemDocument, WantsThePlacedComponentsToBeThere) {
-  const std::string faults = faults_of_text(R"json({"meristem": 1, "components": {
+  const std::string errors = errors_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols leav\nF~leav"}, "leaf": {"type": "leaf"}}})json");
-  EXPECT_THAT(faults, HasSubstr("components.plant: 'plant' places 'leav', and there is no such component"));
-  EXPECT_THAT(faults, HasSubstr("did you mean 'leaf'?"));
+  EXPECT_THAT(errors, HasSubstr("components.plant: 'plant' places 'leav', and there is no such component"));
+  EXPECT_THAT(errors, HasSubstr("did you mean 'leaf'?"));
 }
 
 TEST(LsystemDocument, TellsToDeclareTheNameOfAComponentThatIsWrittenBehindATilde) {
-  const std::string faults = faults_of_text(R"json({"meristem": 1, "components": {
+  const std::string errors = errors_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "F~leaf"}, "leaf": {"type": "leaf"}}})json");
-  EXPECT_THAT(faults, HasSubstr("'plant' places 'l', and there is no such component; expected a component 'l', or "
+  EXPECT_THAT(errors, HasSubstr("'plant' places 'l', and there is no such component; expected a component 'l', or "
                                 "'#symbols leaf' in the grammar, since '~leaf' is '~l' without it"));
 }
 
@@ -155,13 +155,13 @@ TEST(LsystemDocument, RefusesNamesThatRulesMakeOfOthers) {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols leaf\n#axiom F~A\n#rules\nA -> leaf\n"},
     "leaf": {"type": "leaf"}}})json");
   Progress progress;
-  const std::vector<Diagnostic> faults = faults_of([&] { grow_document(document, progress); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].text(), HasSubstr("components.plant: 'plant' places 'A', and there is no such component"));
+  const std::vector<Diagnostic> errors = errors_of([&] { grow_document(document, progress); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].text(), HasSubstr("components.plant: 'plant' places 'A', and there is no such component"));
 }
 
 TEST(LsystemDocument, RefusesToPlaceItself) {
-  EXPECT_THAT(faults_of_text(R"json({"meristem": 1, "components": {
+  EXPECT_THAT(errors_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols plant\nF~plant"}}})json"),
               HasSubstr("form an endless circle"));
 }

@@ -51,9 +51,9 @@ DocumentFile find_document_within(const std::string& path, const std::string& fo
   try {
     FileAccess{.root = root}.require_within(path);
   } catch (const InputError& error) {
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) fault.file = path;
-    throw InputError(std::move(faults));
+    std::vector<Diagnostic> errors = error.diagnostics();
+    for (Diagnostic& error : errors) error.file = path;
+    throw InputError(std::move(errors));
   }
   const std::string file = find_document(path, folder);
   return {file, file == path ? root : folder};

@@ -35,9 +35,9 @@ TriangleMesh placed_mesh(const ObstacleParameters& form) {
 }
 
 ObstacleMesh read_obstacle_mesh(const std::string& path, const Limits& limits) {
-  ObstacleMesh read{.mesh = read_mesh(path, limits), .faults = {}, .body_fault = {}};
-  read.faults = closedness_faults(read.mesh);
-  if (read.faults.empty()) read.body_fault = body_fault(read.mesh);
+  ObstacleMesh read{.mesh = read_mesh(path, limits), .errors = {}, .body_error = {}};
+  read.errors = closedness_errors(read.mesh);
+  if (read.errors.empty()) read.body_error = body_error(read.mesh);
   return read;
 }
 
@@ -45,7 +45,7 @@ void check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] != box.high[k]) continue;
-    return reader.fault(path,
+    return reader.error(path,
                         fmt::format("the box is flat: both of its corners have {} at {:.7g}", kAxes[k], box.low[k]),
                         "two corners that differ in x, y and z");
   }
@@ -53,18 +53,18 @@ void check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
 
 void check_body(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
   if (form.mesh->is_sound()) return;
-  const bool is_closed = form.mesh->faults.empty();
+  const bool is_closed = form.mesh->errors.empty();
   const std::string what =
-      is_closed ? fmt::format("'{}' {}", form.mesh.path, form.mesh->body_fault)
-                : fmt::format("'{}' is not closed: {}", form.mesh.path, fmt::join(form.mesh->faults, "; "));
+      is_closed ? fmt::format("'{}' {}", form.mesh.path, form.mesh->body_error)
+                : fmt::format("'{}' is not closed: {}", form.mesh.path, fmt::join(form.mesh->errors, "; "));
   if (!form.broken) {
-    return reader.fault(path, what,
+    return reader.error(path, what,
                         fmt::format("a closed mesh{}, or \"broken\": true to use it anyway",
                                     is_closed ? " that faces outward everywhere" : ""));
   }
   if (is_closed) return reader.warn(path, what + "; it is used as it is");
   reader.warn(path, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path,
-                                fmt::join(form.mesh->faults, "; ")));
+                                fmt::join(form.mesh->errors, "; ")));
 }
 
 void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
@@ -76,7 +76,7 @@ void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, Pa
     farthest = std::max({farthest, away.x, away.y, away.z});
   }
   if (!(farthest <= kMaxCoordinate)) {
-    reader.fault(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
+    reader.error(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
                  fmt::format("coordinates within {:.0f} m; scale and translate it", kMaxCoordinate));
   }
 }
@@ -109,10 +109,10 @@ void check_obstacles(const std::vector<ObstacleParameters>& forms, const Documen
     triangles += form.mesh ? static_cast<double>(form.mesh->mesh.triangles.size()) : 12;
   const Limits& limits = reader.limits();
   if (triangles > static_cast<double>(limits.triangles)) {
-    return reader.fault_limit(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
+    return reader.error_limit(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
   }
   if (kBytesATriangle * triangles > static_cast<double>(limits.mesh_bytes)) {
-    reader.fault_limit(path, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
+    reader.error_limit(path, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
   }
 }
 

@@ -12,14 +12,14 @@
 
 namespace meristem {
 
-/// A mesh from a file, with the faults that prevent a closed mesh (closedness_faults) or a body (body_fault). Both
+/// A mesh from a file, with the faults that prevent a closed mesh (closedness_errors) or a body (body_error). Both
 /// checks take long.
 struct ObstacleMesh {
   TriangleMesh mesh;                ///< the triangles of the file
-  std::vector<std::string> faults;  ///< reasons why the mesh is not closed; empty if it is closed
-  std::string body_fault;           ///< reason why a closed mesh is not a body, or empty
+  std::vector<std::string> errors;  ///< reasons why the mesh is not closed; empty if it is closed
+  std::string body_error;           ///< reason why a closed mesh is not a body, or empty
 
-  bool is_sound() const { return faults.empty() && body_fault.empty(); }  ///< true for a closed body
+  bool is_sound() const { return errors.empty() && body_error.empty(); }  ///< true for a closed body
 };
 
 /// Parameters of an obstacle. Exactly one of box and mesh is given.

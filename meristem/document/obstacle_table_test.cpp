@@ -24,11 +24,11 @@ std::string document_with(const std::string& obstacles, const std::string& more 
 class ObstacleDocument : public testing::Test {
  protected:
   ObstacleDocument() {
-    const std::string most =
+    const std::string max =
         "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nv 0 0 2\nv 2 0 2\nv 0 2 2\nv 2 2 2\n"
         "f 1 3 2\nf 2 3 4\nf 5 6 7\nf 6 8 7\nf 1 2 5\nf 2 6 5\nf 3 7 4\nf 4 7 8\nf 1 5 3\nf 3 5 7\nf 2 4 6\n";
-    write("cube.obj", most + "f 4 8 6\n");
-    write("open.obj", most);
+    write("cube.obj", max + "f 4 8 6\n");
+    write("open.obj", max);
     write("none.obj", "v 0 0 nan\n");
   }
 
@@ -40,7 +40,7 @@ class ObstacleDocument : public testing::Test {
   Obstacles obstacles(const std::string& text) const { return read(document_with(text)).scene.obstacles; }
 
   // The first fault, from its document path on.
-  std::string fault(const std::string& obstacles, const std::string& more = "") const {
+  std::string error(const std::string& obstacles, const std::string& more = "") const {
     try {
       read(document_with(obstacles, more));
     } catch (const InputError& error) {
@@ -59,7 +59,7 @@ TEST_F(ObstacleDocument, ABoxIsTwoCornersInAnyOrder) {
   const Obstacles boxes =
       obstacles(R"([{"box": [[-3, 0, 3], [3, 8, 6]]}, {"box": [["wide", 8, 13], ["-wide", 0, 16]]}])");
   ASSERT_EQ(boxes.bodies().size(), 2U);
-  for (const Obstacle& body : boxes.bodies()) EXPECT_TRUE(closedness_faults(body.mesh).empty());
+  for (const Obstacle& body : boxes.bodies()) EXPECT_TRUE(closedness_errors(body.mesh).empty());
   EXPECT_TRUE(boxes.contain({2.9F, 7.9F, 3.1F}));
   EXPECT_TRUE(boxes.contain({-2.9F, 7.9F, 13.1F}));
   EXPECT_FALSE(boxes.contain({0, 4, 8}));
@@ -78,7 +78,7 @@ TEST_F(ObstacleDocument, BoxesAndMeshesAreScaledThenTurnedThenMoved) {
   // With z up the file's y goes north.
   EXPECT_TRUE(placed.contain({0.9F, 5.9F, -0.9F}));
   EXPECT_FALSE(placed.contain({0.9F, 5.9F, 0.1F}));
-  for (const Obstacle& body : placed.bodies()) EXPECT_TRUE(closedness_faults(body.mesh).empty());
+  for (const Obstacle& body : placed.bodies()) EXPECT_TRUE(closedness_errors(body.mesh).empty());
 }
 
 TEST_F(ObstacleDocument, MapCoordinatesAreMovedToTheMillimetre) {
@@ -106,7 +106,7 @@ TEST_F(ObstacleDocument, FilesAreNamedSoThatNothingIsWrittenOverThem) {
 
 TEST_F(ObstacleDocument, AnOpenMeshIsAFaultUnlessItIsCalledBroken) {
   EXPECT_EQ(
-      fault(R"([{"box": [[0, 0, 0], [1, 1, 1]]}, {"mesh": "open.obj"}])"),
+      error(R"([{"box": [[0, 0, 0], [1, 1, 1]]}, {"mesh": "open.obj"}])"),
       "scene.obstacles[1].mesh: 'open.obj' is not closed: 3 edges are open, with a triangle on one side only; the "
       "first goes from (2, 2, 0) to (2, 0, 2); expected a closed mesh, or \"broken\": true to use it anyway");
   const Document document = read(document_with(R"([{"mesh": "open.obj", "broken": true}])"));
@@ -122,7 +122,7 @@ TEST_F(ObstacleDocument, AClosedMeshThatCrossesItselfIsCalledThat) {
   write("tie.obj",
         "v -1 0 -1\nv -1 0 1\nv 1 0 -1\nv 1 0 1\nv -1 1 -1\nv -1 1 1\nv 1 1 -1\nv 1 1 1\nv 0 0 0\nv 0 1 0\n"
         "f 1 9 2\nf 3 9 4\nf 5 6 10\nf 7 8 10\nf 1 2 6 5\nf 2 9 10 6\nf 9 3 7 10\nf 3 4 8 7\nf 4 9 10 8\nf 9 1 5 10\n");
-  EXPECT_EQ(fault(R"([{"mesh": "tie.obj"}])"),
+  EXPECT_EQ(error(R"([{"mesh": "tie.obj"}])"),
             "scene.obstacles[0].mesh: 'tie.obj' crosses itself: as much of it is turned inside out as faces outward; "
             "expected a closed mesh that faces outward everywhere, or \"broken\": true to use it anyway");
   const Document document = read(document_with(R"([{"mesh": "tie.obj", "broken": true}])"));
@@ -139,37 +139,37 @@ TEST_F(ObstacleDocument, OverridesReachThem) {
 }
 
 TEST_F(ObstacleDocument, EveryFaultHasItsPlace) {
-  EXPECT_EQ(fault(R"([{"colour": "#ffffff"}])"),
+  EXPECT_EQ(error(R"([{"colour": "#ffffff"}])"),
             "scene.obstacles[0]: an obstacle has none of box, mesh; expected exactly one of them");
-  EXPECT_EQ(fault(R"([{"box": [[0, 0, 0], [1, 1, 1]], "mesh": "cube.obj"}])"),
+  EXPECT_EQ(error(R"([{"box": [[0, 0, 0], [1, 1, 1]], "mesh": "cube.obj"}])"),
             "scene.obstacles[0]: an obstacle has more than one of box, mesh; expected exactly one of them");
   EXPECT_EQ(
-      fault(R"([{"box": [[0, 0, 0], [1, 0, 1]]}])"),
+      error(R"([{"box": [[0, 0, 0], [1, 0, 1]]}])"),
       "scene.obstacles[0].box: the box is flat: both of its corners have y at 0; expected two corners that differ "
       "in x, y and z");
-  EXPECT_EQ(fault(R"([{"box": [[0, 0, 0], [1, 1, 1]], "up": "z"}])"),
+  EXPECT_EQ(error(R"([{"box": [[0, 0, 0], [1, 1, 1]], "up": "z"}])"),
             "scene.obstacles[0].up: 'up' has no meaning without 'mesh'; expected 'mesh' beside it");
-  EXPECT_EQ(fault(R"([{"mesh": "cubes.obj"}])"),
+  EXPECT_EQ(error(R"([{"mesh": "cubes.obj"}])"),
             "scene.obstacles[0].mesh: 'cubes.obj': there is no such file; did you mean 'cube.obj'?");
-  EXPECT_EQ(fault(R"([{"mesh": "none.obj"}])"),
+  EXPECT_EQ(error(R"([{"mesh": "none.obj"}])"),
             "scene.obstacles[0].mesh: 'none.obj:1:7': 'nan' is not a finite number; expected a coordinate");
-  EXPECT_EQ(fault(R"([{"mesh": "cube.obj", "scale": 0}])").substr(0, 25), "scene.obstacles[0].scale:");
+  EXPECT_EQ(error(R"([{"mesh": "cube.obj", "scale": 0}])").substr(0, 25), "scene.obstacles[0].scale:");
   EXPECT_EQ(
-      fault(R"([{"mesh": "cube.obj", "scale": 1e6, "translate": [1000, 0, 0]}])"),
+      error(R"([{"mesh": "cube.obj", "scale": 1e6, "translate": [1000, 0, 0]}])"),
       "scene.obstacles[0]: the obstacle reaches 2.001e+06 m from the origin; expected coordinates within 1000000 m; "
       "scale and translate it");
-  EXPECT_EQ(fault(R"([{"mesh": "cube.obj", "clour": "#ffffff"}])"),
+  EXPECT_EQ(error(R"([{"mesh": "cube.obj", "clour": "#ffffff"}])"),
             "scene.obstacles[0].clour: 'clour' is not a parameter of an obstacle; did you mean 'colour'?");
-  EXPECT_EQ(fault(R"({"box": [[0, 0, 0], [1, 1, 1]]})").substr(0, 16), "scene.obstacles:");
+  EXPECT_EQ(error(R"({"box": [[0, 0, 0], [1, 1, 1]]})").substr(0, 16), "scene.obstacles:");
 }
 
 TEST_F(ObstacleDocument, TheirTrianglesCountAgainstTheLimits) {
   const std::string two = R"([{"box": [[0, 0, 0], [1, 1, 1]]}, {"mesh": "cube.obj"}])";
-  EXPECT_EQ(fault(two, R"("limits": {"triangles": 23},)"),
+  EXPECT_EQ(error(two, R"("limits": {"triangles": 23},)"),
             "scene.obstacles: 24 triangles of obstacles are too many; expected at most 23 (limits.triangles)");
-  EXPECT_EQ(fault(two, R"("limits": {"mesh_bytes": 1000},)"),
+  EXPECT_EQ(error(two, R"("limits": {"mesh_bytes": 1000},)"),
             "scene.obstacles: 7200 bytes of obstacles are too many; expected at most 1000 (limits.mesh_bytes)");
-  EXPECT_EQ(fault(two, R"("limits": {"triangles": 24},)"), "no fault");
+  EXPECT_EQ(error(two, R"("limits": {"triangles": 24},)"), "no fault");
 }
 
 struct HouseFacts {
@@ -186,7 +186,7 @@ TEST_F(ObstacleDocument, HousesStandOnTheGround) {
         obstacles(fmt::format(R"([{{"mesh": "{}", "up": "{}", "translate": [0, 0, 12]}}])", file, facts.up));
     EXPECT_LT(glm::distance(house.bounds().low, facts.bounds.low), 0.02F);
     EXPECT_LT(glm::distance(house.bounds().high, facts.bounds.high), 0.02F);
-    EXPECT_TRUE(closedness_faults(house.bodies()[0].mesh).empty());
+    EXPECT_TRUE(closedness_errors(house.bodies()[0].mesh).empty());
   }
 }
 

@@ -17,7 +17,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kSegmentsAtOnce = 1024;
-constexpr std::size_t kMostVertices = 64;  // largest number of vertices that are tested per organ
+constexpr std::size_t kMaxVertices = 64;  // largest number of vertices that are tested per organ
 // Metres at the start of a stem's first segment that are not tested: the root may stand on an obstacle
 constexpr float kOffTheGround = 0.01F;
 
@@ -118,7 +118,7 @@ class Looker {
     const auto tally = tally_of(prototype.component);
     if (!tally || prototype.mesh->positions.empty()) return;
     const std::vector<Vec3>& all = prototype.mesh->positions;
-    const std::size_t step = (all.size() + kMostVertices - 1) / kMostVertices;
+    const std::size_t step = (all.size() + kMaxVertices - 1) / kMaxVertices;
     progress_.check();
     for (std::size_t k = 0; k < all.size(); k += step) {
       const Vec3 position = organ.frame.point(all[k]);

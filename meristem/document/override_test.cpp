@@ -25,7 +25,7 @@ Document read_with(const std::vector<std::string>& sets) {
   return read_document(kOak, "oak.json", builtin_components(), {.overrides = overrides});
 }
 
-std::string fault_of(const std::string& set) {
+std::string error_of(const std::string& set) {
   try {
     read_with({set});
   } catch (const InputError& error) {
@@ -104,40 +104,40 @@ TEST(Override, RefusesPathsThatAreNone) {
       EXPECT_EQ(error.diagnostics()[0].message, "'" + std::string(path) + "' is not a path");
     }
   }
-  EXPECT_EQ(fault_of("a..b=3"),
+  EXPECT_EQ(error_of("a..b=3"),
             "--set a..b: a..b: 'a..b' is not a path; expected one such as age, stem.length or links[1].density");
 }
 
 TEST(Override, NamesTheNearestVariableAndComponent) {
-  EXPECT_EQ(fault_of("agee=3"), "--set agee: variables.agee: there is no variable 'agee'; did you mean 'age'?");
-  EXPECT_EQ(fault_of("wind=3"), "--set wind: variables.wind: there is no variable 'wind'; expected one of age, size");
-  EXPECT_EQ(fault_of("laef.width=3"),
+  EXPECT_EQ(error_of("agee=3"), "--set agee: variables.agee: there is no variable 'agee'; did you mean 'age'?");
+  EXPECT_EQ(error_of("wind=3"), "--set wind: variables.wind: there is no variable 'wind'; expected one of age, size");
+  EXPECT_EQ(error_of("laef.width=3"),
             "--set laef.width: components.laef.width: there is no component 'laef'; did you mean 'leaf'?");
 }
 
 TEST(Override, ReportsUnknownParametersAndBadValuesUnderTheirOwnName) {
-  EXPECT_EQ(fault_of("leaf.lenght=3"),
+  EXPECT_EQ(error_of("leaf.lenght=3"),
             "--set leaf.lenght: components.leaf.lenght: 'lenght' is not a parameter of a leaf; did you mean 'length'?");
-  EXPECT_EQ(fault_of("leaf.length=-3"),
+  EXPECT_EQ(error_of("leaf.length=-3"),
             "--set leaf.length: components.leaf.length: the value -3 is out of range for "
             "'length'; expected a number (m) from 0.0001 to 100");
-  EXPECT_EQ(fault_of("age=true"), "--set age: variables.age.value: 'value' cannot be true; expected a number");
-  EXPECT_EQ(fault_of("leaf.length=2*q"),
+  EXPECT_EQ(error_of("age=true"), "--set age: variables.age.value: 'value' cannot be true; expected a number");
+  EXPECT_EQ(error_of("leaf.length=2*q"),
             "--set leaf.length: components.leaf.length: 'q' is not a known name; expected a variable or a constant");
 }
 
 TEST(Override, PlacesFaultsBelowItsValueToo) {
-  EXPECT_EQ(fault_of(R"(tree.crown={"profile": [[1, "x"], [1, 2]]})").substr(0, 44),
+  EXPECT_EQ(error_of(R"(tree.crown={"profile": [[1, "x"], [1, 2]]})").substr(0, 44),
             "--set tree.crown: components.tree.crown.prof");
 }
 
-TEST(Override, LeavesOtherFaultsInTheText) { EXPECT_EQ(fault_of("tree.influence=0.01").substr(0, 9), "oak.json:"); }
+TEST(Override, LeavesOtherFaultsInTheText) { EXPECT_EQ(error_of("tree.influence=0.01").substr(0, 9), "oak.json:"); }
 
 TEST(Override, RejectsPathsThatLeadNowhere) {
-  EXPECT_EQ(fault_of("links[2].density=3"),
+  EXPECT_EQ(error_of("links[2].density=3"),
             "--set links[2].density: links[2].density: there is no element [2] in a list of 2; expected [0] to [1]");
-  EXPECT_EQ(fault_of("tree[0]=3"), "--set tree[0]: components.tree[0]: there is no element [0] in an object");
-  EXPECT_EQ(fault_of("tree.points.count=3"),
+  EXPECT_EQ(error_of("tree[0]=3"), "--set tree[0]: components.tree[0]: there is no element [0] in an object");
+  EXPECT_EQ(error_of("tree.points.count=3"),
             "--set tree.points.count: components.tree.points.count: the number 100 has no member 'count'");
 }
 

@@ -96,8 +96,8 @@ std::vector<Reader> readers() {
       {"table", table(), [](const std::string& text) { read_text_table(text, {}); }},
       {"nodes", nodes(), [](const std::string& text) { skeleton_of(read_node_table(text, "n.csv", {}), {}, "n.csv"); }},
       {"mtg", mtg(), [](const std::string& text) { skeleton_of(read_mtg(text, "m.mtg", {}), "m.mtg", {}, {}); }},
-      {"closed mesh", obj(), [](const std::string& text) { closedness_faults(parse_mesh(text, "m", {})); }},
-      {"body", obj(), [](const std::string& text) { body_fault(parse_mesh(text, "m", {})); }}};
+      {"closed mesh", obj(), [](const std::string& text) { closedness_errors(parse_mesh(text, "m", {})); }},
+      {"body", obj(), [](const std::string& text) { body_error(parse_mesh(text, "m", {})); }}};
 }
 
 TEST(ReadingStop, ReadersCheckItOftenAndAreStoppedByIt) {

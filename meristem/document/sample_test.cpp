@@ -36,7 +36,7 @@ const ParameterTable& angles_table() {
 struct Read {
   Angles angles;
   std::vector<Varying> varyings;
-  std::vector<std::string> faults;
+  std::vector<std::string> errors;
 };
 
 Read read(const std::string& json, const std::string& folder = {}, const Limits& limits = {}) {
@@ -44,7 +44,7 @@ Read read(const std::string& json, const std::string& folder = {}, const Limits&
   Read result;
   const DocumentPath top;
   result.varyings = reader.read_varying(angles_table(), &result.angles, parse_json(json), DocumentPath(top, "it"));
-  for (const Diagnostic& fault : reader.diagnostics()) result.faults.push_back(fault.text());
+  for (const Diagnostic& error : reader.diagnostics()) result.errors.push_back(error.text());
   return result;
 }
 
@@ -61,7 +61,7 @@ std::vector<Site> sites(std::size_t count) {
 /// In degrees.
 std::vector<double> drawn(const std::string& json, std::size_t count, const std::string& folder = {}) {
   const Read given = read(json, folder);
-  EXPECT_TRUE(given.faults.empty()) << given.faults.front();
+  EXPECT_TRUE(given.errors.empty()) << given.errors.front();
   const std::vector<Site> all = sites(count);
   const VaryingValues values(given.varyings, all, 0);
   std::vector<double> result;
@@ -143,7 +143,7 @@ TEST(Sample, DrawsDependOnTheInstanceAndTheParameterAlone) {
 
 TEST(Sample, ValuesMayBeExpressionsOfVariablesAndWholeNumbersStaySo) {
   EXPECT_NEAR(drawn(R"({"angle": {"sample": ["tilt / 2"]}})", 1)[0], 20, 1e-12);
-  EXPECT_EQ(read(R"({"count": {"sample": [1, 2.5]}})").faults[0],
+  EXPECT_EQ(read(R"({"count": {"sample": [1, 2.5]}})").errors[0],
             "it.count.sample[1]: 'count' cannot be the fraction 2.5; expected a whole number from 0 to 100");
 }
 
@@ -160,45 +160,45 @@ TEST(Sample, AColumnOfAFileGivesTheValues) {
 
 TEST(Sample, FaultsOfFilesHaveTheirPlaceInThem) {
   const TemporaryFolder folder;
-  const auto fault_of = [&](const std::string& table, const std::string& column = "angle") {
+  const auto error_of = [&](const std::string& table, const std::string& column = "angle") {
     std::ofstream(folder / "angles.csv") << table;
     const Read given =
         read(fmt::format(R"({{"angle": {{"sample": {{"file": "angles.csv", "column": "{}"}}}}}})", column),
              folder.path().string(), {.points = 4});
-    return given.faults.size() == 1 ? given.faults[0] : fmt::format("{} faults", given.faults.size());
+    return given.errors.size() == 1 ? given.errors[0] : fmt::format("{} faults", given.errors.size());
   };
   EXPECT_EQ(
-      fault_of("tree,angel\n1,40\n"),
+      error_of("tree,angel\n1,40\n"),
       "it.angle.sample.file: 'angles.csv:1:1': there is no column 'angle'; expected a head line that names it; did "
       "you mean 'angel'?");
-  EXPECT_EQ(fault_of("tree,angle\n1,40\n1,steep\n"),
+  EXPECT_EQ(error_of("tree,angle\n1,40\n1,steep\n"),
             "it.angle.sample.file: 'angles.csv:3:3': 'steep' in the column 'angle' is not a number; expected a finite "
             "number");
   EXPECT_EQ(
-      fault_of("tree,angle\n1,40\n1,190\n"),
+      error_of("tree,angle\n1,40\n1,190\n"),
       "it.angle.sample.file: 'angles.csv:3:3': the value 190 of the column 'angle' cannot be that of 'angle'; expected "
       "a number (°) from 0 to 180");
-  EXPECT_EQ(fault_of("angle\n1\n2\n3\n4\n5\n").substr(0, 62),
+  EXPECT_EQ(error_of("angle\n1\n2\n3\n4\n5\n").substr(0, 62),
             "it.angle.sample.file: 'angles.csv:6': 5 rows of a table are to");
 }
 
 TEST(Sample, FaultsAreTold) {
-  const auto fault_of = [](const std::string& json) {
+  const auto error_of = [](const std::string& json) {
     const Read given = read(json);
-    return given.faults.size() == 1 ? given.faults[0] : fmt::format("{} faults", given.faults.size());
+    return given.errors.size() == 1 ? given.errors[0] : fmt::format("{} faults", given.errors.size());
   };
-  EXPECT_EQ(fault_of(R"({"angle": {"sample": []}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"sample": []}})"),
             "it.angle.sample: the sample of 'angle' has no values; expected at least one number");
-  EXPECT_EQ(fault_of(R"({"angle": {"sample": [20, 200]}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"sample": [20, 200]}})"),
             "it.angle.sample[1]: the value 200 is out of range for 'angle'; expected a number (°) from 0 to 180");
-  EXPECT_EQ(fault_of(R"({"angle": {"sample": [20], "range": [1, 2]}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"sample": [20], "range": [1, 2]}})"),
             "it.angle.range: a value has both a sample and a range; expected one of them");
-  EXPECT_EQ(fault_of(R"({"angle": {"range": [1, 2], "smooth": true}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"range": [1, 2], "smooth": true}})"),
             "it.angle.smooth: 'smooth' has no meaning without a sample; expected 'sample' beside it");
-  EXPECT_EQ(fault_of(R"({"angle": {"smaple": [20]}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"smaple": [20]}})"),
             "it.angle: 'angle' cannot be an object; expected a number (°) from 0 to 180");
-  EXPECT_EQ(fault_of(R"({"angle": {"sample": {"file": "a.csv", "colunm": "b"}}})"), "2 faults");
-  EXPECT_EQ(fault_of(R"({"fixed": {"sample": [1, 2]}})"),
+  EXPECT_EQ(error_of(R"({"angle": {"sample": {"file": "a.csv", "colunm": "b"}}})"), "2 faults");
+  EXPECT_EQ(error_of(R"({"fixed": {"sample": [1, 2]}})"),
             "it.fixed: 'fixed' is one number for all instances and cannot be an object; expected a number");
 }
 

@@ -41,9 +41,9 @@ TEST(Sentences, EveryParameterIsExplainedByASentenceThatStandsAlone) {
   EXPECT_GT(tables.size(), 60U);
   for (const ParameterTable* table : tables) {
     for (const Parameter& row : table->parameters) {
-      const std::string fault = sentence_fault(row.doc);
-      EXPECT_TRUE(fault.empty()) << table->name << ", '" << row.name << "': the sentence \"" << row.doc << "\" "
-                                 << fault;
+      const std::string error = sentence_error(row.doc);
+      EXPECT_TRUE(error.empty()) << table->name << ", '" << row.name << "': the sentence \"" << row.doc << "\" "
+                                 << error;
     }
   }
 }
@@ -51,23 +51,23 @@ TEST(Sentences, EveryParameterIsExplainedByASentenceThatStandsAlone) {
 TEST(Sentences, EveryTableAndComponentSaysWhatItIs) {
   const Registry& registry = builtin_components();
   for (const ParameterTable* table : all_tables(registry)) {
-    EXPECT_EQ(sentence_fault(table->doc), "") << table->name << ": \"" << table->doc << '"';
+    EXPECT_EQ(sentence_error(table->doc), "") << table->name << ": \"" << table->doc << '"';
   }
   for (const ComponentType& type : registry.types()) {
-    EXPECT_EQ(sentence_fault(type.doc), "") << type.name << ": \"" << type.doc << '"';
+    EXPECT_EQ(sentence_error(type.doc), "") << type.name << ": \"" << type.doc << '"';
   }
 }
 
 TEST(Sentences, ThatLeanOnOthersAreFoundOut) {
-  EXPECT_EQ(sentence_fault("Depth of the largest tooth."), "");
-  EXPECT_EQ(sentence_fault(""), "is empty");
-  EXPECT_EQ(sentence_fault("Depth of the largest tooth"), "does not end with a full stop");
-  EXPECT_EQ(sentence_fault("depth of the largest tooth."), "does not begin with a capital");
-  EXPECT_EQ(sentence_fault("Of the largest."), "names no subject: it opens with 'Of '");
-  EXPECT_EQ(sentence_fault("Depth, as above."), "has 'as above'");
-  EXPECT_EQ(sentence_fault("Angle by which the stem bends."), "has 'by which'");
-  EXPECT_EQ(sentence_fault("Tile of the same kind."), "has 'the same'");
-  EXPECT_EQ(sentence_fault(std::string(200, 'A') + "."), "is too long for a tooltip");
+  EXPECT_EQ(sentence_error("Depth of the largest tooth."), "");
+  EXPECT_EQ(sentence_error(""), "is empty");
+  EXPECT_EQ(sentence_error("Depth of the largest tooth"), "does not end with a full stop");
+  EXPECT_EQ(sentence_error("depth of the largest tooth."), "does not begin with a capital");
+  EXPECT_EQ(sentence_error("Of the largest."), "names no subject: it opens with 'Of '");
+  EXPECT_EQ(sentence_error("Depth, as above."), "has 'as above'");
+  EXPECT_EQ(sentence_error("Angle by which the stem bends."), "has 'by which'");
+  EXPECT_EQ(sentence_error("Tile of the same kind."), "has 'the same'");
+  EXPECT_EQ(sentence_error(std::string(200, 'A') + "."), "is too long for a tooltip");
 }
 
 }  // namespace meristem::sentences_test

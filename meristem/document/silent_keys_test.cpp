@@ -16,7 +16,7 @@ Document read(const std::string& components, const std::vector<std::string>& set
                        options);
 }
 
-std::string fault_of(const std::string& components, const std::vector<std::string>& sets = {}) {
+std::string error_of(const std::string& components, const std::vector<std::string>& sets = {}) {
   try {
     read(components, sets);
   } catch (const InputError& error) {
@@ -26,19 +26,19 @@ std::string fault_of(const std::string& components, const std::vector<std::strin
 }
 
 TEST(SilentKeys, ARecursionThatNoLinkClosesIsAFault) {
-  EXPECT_EQ(fault_of(R"({"box": {"type": "simple", "recursion": 3}})"),
+  EXPECT_EQ(error_of(R"({"box": {"type": "simple", "recursion": 3}})"),
             "plant.json:1:58: components.box.recursion: 'recursion' has no meaning here: no link leads back to 'box'; "
             "expected a link from 'box', or from what hangs on it, to 'box', or no such key");
-  EXPECT_EQ(fault_of(R"({"box": {"type": "simple", "recursion": 3}}, "links": [["box", "box"]])"), "no fault");
+  EXPECT_EQ(error_of(R"({"box": {"type": "simple", "recursion": 3}}, "links": [["box", "box"]])"), "no fault");
 }
 
 TEST(SilentKeys, AnglesThatTurnNothingAreFaults) {
   const std::string components = R"({"stem": {"type": "tree"}, "grass": {"type": "grassleaf"}}, "links": [
     {"from": "stem", "to": "grass", "kind": "branch", )";
   EXPECT_NE(
-      fault_of(components + R"("angle_tip": 20}])").find("links[0].angle_tip: 'angle_tip' has no meaning without"),
+      error_of(components + R"("angle_tip": 20}])").find("links[0].angle_tip: 'angle_tip' has no meaning without"),
       std::string::npos);
-  EXPECT_EQ(fault_of(components + R"("angle_tip": 20, "angle": 50}])"), "no fault");
+  EXPECT_EQ(error_of(components + R"("angle_tip": 20, "angle": 50}])"), "no fault");
 }
 
 constexpr const char* kViewed =
@@ -54,21 +54,21 @@ TEST(SilentKeys, WhatIsSetGoesBeforeTheDocument) {
 
 TEST(SilentKeys, WhatIsSetItselfMustMeanSomething) {
   EXPECT_EQ(
-      fault_of(kViewed, {"view.position=[0, 1, 5]", "view.azimuth=10"}),
+      error_of(kViewed, {"view.position=[0, 1, 5]", "view.azimuth=10"}),
       "--set view.azimuth: components.view.azimuth: 'azimuth' has no meaning beside 'position'; expected only one "
       "of them");
-  EXPECT_NE(fault_of(kViewed, {"box.outline=[[0, 0]]", "box.segments=5"}), "no fault");
+  EXPECT_NE(error_of(kViewed, {"box.outline=[[0, 0]]", "box.segments=5"}), "no fault");
 }
 
 TEST(SilentKeys, OtherFaultsOfTheDocumentDoNotGiveWay) {
   const char* const faulty = R"({"box": {"type": "simple", "cap": true}, "ball": {"type": "simple"}})";
-  EXPECT_EQ(fault_of(faulty, {"ball.shape=sphere"}).substr(0, 33), "plant.json:1:58: components.box.c");
+  EXPECT_EQ(error_of(faulty, {"ball.shape=sphere"}).substr(0, 33), "plant.json:1:58: components.box.c");
 }
 
 TEST(SilentKeys, NullTakesAKeyAway) {
   EXPECT_EQ(read(kViewed, {"view.azimuth=null"}).source.tree.find("components")->find("view")->find("azimuth"),
             nullptr);
-  EXPECT_EQ(fault_of(kViewed, {"veiw.azimuth=null"}).substr(0, 45), "--set veiw.azimuth: components.veiw.azimuth: ");
+  EXPECT_EQ(error_of(kViewed, {"veiw.azimuth=null"}).substr(0, 45), "--set veiw.azimuth: components.veiw.azimuth: ");
 }
 
 }  // namespace meristem::silent_keys_test

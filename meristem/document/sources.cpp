@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostNested = 8;  // maximum depth of documents within each other
+constexpr std::size_t kMaxNested = 8;  // maximum depth of documents within each other
 
 /// The painted textures of all variants of one document.
 class PaintedTextures {
@@ -81,7 +81,7 @@ class DocumentGrowth : public PlacedGrowth {
 
   ShownPlant show(const GrowthView& view, const Progress& progress) override {
     if (shown_.plant != nullptr && view == view_) return shown_;
-    const bool is_kept = view.step || view.wish.any();
+    const bool is_kept = view.step || view.request.any();
     auto traces = std::make_shared<GrowthTraces>();
     auto variant = std::make_shared<PlantVariant>();
     Progress part(&progress);
@@ -89,9 +89,9 @@ class DocumentGrowth : public PlacedGrowth {
       const ExpandOptions options{is_kept ? &cache_ : nullptr, view, traces.get()};
       variant->plant = std::make_shared<const Plant>(expand(document_->graph, document_->scene, time_, part, options));
     } catch (const InputError& error) {
-      std::vector<Diagnostic> faults = error.diagnostics();
-      document_->source.place(faults);
-      throw InputError(std::move(faults));
+      std::vector<Diagnostic> errors = error.diagnostics();
+      document_->source.place(errors);
+      throw InputError(std::move(errors));
     }
     variant->paint = [document = document_, painted = painted_](std::vector<Material>& materials, Progress& painting,
                                                                 Cache*) {
@@ -166,10 +166,10 @@ class DocumentSource : public PlantSource {
     }
     Value tree = tree_;
     Source ignored;
-    std::vector<Diagnostic> faults;
-    apply_overrides(tree, {{.path = name, .value = Value(1.0)}}, ignored, faults);
-    handle.is_known = faults.empty();
-    if (!faults.empty()) handle.nearest = faults.front().nearest;
+    std::vector<Diagnostic> errors;
+    apply_overrides(tree, {{.path = name, .value = Value(1.0)}}, ignored, errors);
+    handle.is_known = errors.empty();
+    if (!errors.empty()) handle.nearest = errors.front().nearest;
     return handle;
   }
 
@@ -266,10 +266,10 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
         .message = fmt::format("the documents {} contain each other in a circle", chain_text(options_.chain, name)),
         .expected = "a document that does not contain this one"});
   }
-  if (length_of(&here) > kMostNested) {
+  if (length_of(&here) > kMaxNested) {
     throw InputError(
         Diagnostic{.message = fmt::format("the documents {} are nested too deep", chain_text(options_.chain, name)),
-                   .expected = fmt::format("at most {}", kMostNested)});
+                   .expected = fmt::format("at most {}", kMaxNested)});
   }
 
   ReadOptions options{.root = is_model && !options_.root.empty() ? options_.models : options_.root,

@@ -43,14 +43,14 @@ class Garden : public testing::Test {
     return grow_document(document, progress);
   }
 
-  std::vector<Diagnostic> faults(const std::string& components, const std::string& links = "[]",
+  std::vector<Diagnostic> errors(const std::string& components, const std::string& links = "[]",
                                  const std::string& more = "") const {
-    return faults_of([&] { grow(read(components, links, more)); });
+    return errors_of([&] { grow(read(components, links, more)); });
   }
 
-  std::string fault(const std::string& components, const std::string& links = "[]",
+  std::string error(const std::string& components, const std::string& links = "[]",
                     const std::string& more = "") const {
-    const std::vector<Diagnostic> found = faults(components, links, more);
+    const std::vector<Diagnostic> found = errors(components, links, more);
     return found.empty() ? "no fault" : found.front().text();
   }
 
@@ -160,14 +160,14 @@ TEST_F(Garden, DocumentsOfDocumentsMultiply) {
 TEST_F(Garden, RejectsDocumentsThatUseEachOtherWithTheWholeWay) {
   write("a.json", R"j({"meristem": 1, "components": {"b": {"type": "document", "file": "b.json"}}})j");
   write("b.json", R"j({"meristem": 1, "components": {"a": {"type": "document", "file": "a.json"}}})j");
-  EXPECT_NE(fault(R"j("a": {"type": "document", "file": "a.json"})j").find("a.json -> b.json -> a.json"),
+  EXPECT_NE(error(R"j("a": {"type": "document", "file": "a.json"})j").find("a.json -> b.json -> a.json"),
             std::string::npos);
 }
 
 TEST_F(Garden, RejectsADocumentThatPlacesItself) {
   const std::string text = R"j({"meristem": 1, "components": {"me": {"type": "document", "file": "garden.json"}}})j";
   write("garden.json", text);
-  const auto found = faults_of([&] { read_document(text, (folder_ / "garden.json").string(), builtin_components()); });
+  const auto found = errors_of([&] { read_document(text, (folder_ / "garden.json").string(), builtin_components()); });
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.me.file");
   EXPECT_NE(found[0].message.find("contain each other in a circle"), std::string::npos) << found[0].message;
@@ -180,11 +180,11 @@ TEST_F(Garden, RejectsDocumentsThatLieTooDeep) {
               R"j(.json"}}})j");
   }
   write("d12.json", kTwig);
-  EXPECT_NE(fault(R"j("d": {"type": "document", "file": "d0.json"})j").find("too deep"), std::string::npos);
+  EXPECT_NE(error(R"j("d": {"type": "document", "file": "d0.json"})j").find("too deep"), std::string::npos);
 }
 
 TEST_F(Garden, RejectsAVariableThatTheDocumentDoesNotHave) {
-  const auto found = faults(R"j("oak": {"type": "document", "file": "twig.json", "set": {"agee": 3}})j");
+  const auto found = errors(R"j("oak": {"type": "document", "file": "twig.json", "set": {"agee": 3}})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "age");
   EXPECT_EQ(found[0].path, "components.oak.set.agee");
@@ -192,29 +192,29 @@ TEST_F(Garden, RejectsAVariableThatTheDocumentDoesNotHave) {
 }
 
 TEST_F(Garden, RejectsAParameterOfAComponentThatTheDocumentDoesNotHave) {
-  const auto found = faults(R"j("oak": {"type": "document", "file": "twig.json", "set": {"leef.length": 3}})j");
+  const auto found = errors(R"j("oak": {"type": "document", "file": "twig.json", "set": {"leef.length": 3}})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "leaf");
 }
 
 TEST_F(Garden, RejectsAPlainValueBeyondTheVariablesRange) {
-  const std::string found = fault(R"j("oak": {"type": "document", "file": "twig.json", "set": {"age": 1000}})j");
+  const std::string found = error(R"j("oak": {"type": "document", "file": "twig.json", "set": {"age": 1000}})j");
   EXPECT_NE(found.find("age = 1000"), std::string::npos) << found;
   EXPECT_NE(found.find("1 to 9"), std::string::npos) << found;
 }
 
 TEST_F(Garden, RejectsAMissingDocumentAndSaysWhichModelIsNearest) {
   options_.models = folder_.path().string();
-  EXPECT_NE(fault(R"j("oak": {"type": "document", "file": "none.json"})j").find("none.json"), std::string::npos);
-  const auto found = faults(R"j("oak": {"type": "document", "file": "twgi"})j");
+  EXPECT_NE(error(R"j("oak": {"type": "document", "file": "none.json"})j").find("none.json"), std::string::npos);
+  const auto found = errors(R"j("oak": {"type": "document", "file": "twgi"})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "twig");
-  EXPECT_TRUE(faults(R"j("oak": {"type": "document", "file": "twig"})j").empty()) << "a model is found by its name";
+  EXPECT_TRUE(errors(R"j("oak": {"type": "document", "file": "twig"})j").empty()) << "a model is found by its name";
 }
 
 TEST_F(Garden, TellsWhatIsWrongInTheOtherDocumentWithItsPlace) {
   write("broken.json", "{\"meristem\": 1, \"components\": {\"stem\": {\"type\": \"tree\",\n  \"lenght\": 2}}}");
-  const auto found = faults(R"j("oak": {"type": "document", "file": "broken.json"})j");
+  const auto found = errors(R"j("oak": {"type": "document", "file": "broken.json"})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.oak.file");
   EXPECT_NE(found[0].message.find("broken.json:2:3"), std::string::npos) << found[0].message;
@@ -225,7 +225,7 @@ TEST_F(Garden, TellsWithWhatAPlantCouldNotGrow) {
   write("small.json", R"j({"meristem": 1, "limits": {"instances": 100}, "variables": {"many": 1}, "components": {
     "row": {"type": "field", "plants": 10, "rows": 10}, "leaf": {"type": "leaf"}}, "links": [["row", "leaf"]]})j");
   const std::string found =
-      fault(R"j("oak": {"type": "document", "file": "small.json", "set": {"many": 4}, "seed": 2})j");
+      error(R"j("oak": {"type": "document", "file": "small.json", "set": {"many": 4}, "seed": 2})j");
   EXPECT_NE(found.find("many = 4, seed 2"), std::string::npos) << found;
   EXPECT_NE(found.find("components.oak"), std::string::npos) << found;
 }
@@ -235,14 +235,14 @@ TEST_F(Garden, ReadsNothingOutsideOfItsRoot) {
   std::ofstream(elsewhere / "secret.json") << kTwig;
   options_.root = folder_.path().string();
   const std::string found =
-      fault(R"j("oak": {"type": "document", "file": ")j" + (elsewhere / "secret.json").string() + R"j("})j");
+      error(R"j("oak": {"type": "document", "file": ")j" + (elsewhere / "secret.json").string() + R"j("})j");
   EXPECT_NE(found.find("outside the folder"), std::string::npos) << found;
-  EXPECT_TRUE(faults(R"j("oak": {"type": "document", "file": "twig.json"})j").empty());
+  EXPECT_TRUE(errors(R"j("oak": {"type": "document", "file": "twig.json"})j").empty());
 }
 
 TEST_F(Garden, RejectsMoreVariantsThanMayBe) {
   const auto with = [&](const std::string& rows) {
-    return fault(R"j("row": {"type": "field", "rows": 40, "plants": 40},
+    return error(R"j("row": {"type": "field", "rows": 40, "plants": 40},
                      "oak": {"type": "document", "file": "twig.json")j" +
                      rows + "}",
                  R"j([["row", "oak"]])j");
@@ -275,21 +275,21 @@ TEST_F(Garden, ATableChoosesWhatStandsInEachRowAndGivesItsColumns) {
 
 TEST_F(Garden, RejectsATableThatNamesNoComponent) {
   write("street.csv", "x,y,kind,years\n0,0,oka,2\n");
-  const auto found = faults(kChosen);
+  const auto found = errors(kChosen);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "oak");
 }
 
 TEST_F(Garden, RejectsAColumnOfTextsInAnExpressionWithItsLine) {
   write("street.csv", "x,y,kind,years\n0,0,oak,2\n5,1,stone,old\n");
-  const std::string found = fault(kChosen);
+  const std::string found = error(kChosen);
   EXPECT_NE(found.find("'years' is a column of texts: 'old' stands in line 3 of 'street.csv'"), std::string::npos)
       << found;
 }
 
 TEST_F(Garden, RejectsAColumnWhereNoTableGivesIt) {
   write("street.csv", "x,y,kind,years\n0,0,oak,2\n0,0,stone,2\n");
-  const auto found = faults(std::string(kChosen) + R"j(, "hut": {"type": "simple", "size": ["years", 1, 1]})j");
+  const auto found = errors(std::string(kChosen) + R"j(, "hut": {"type": "simple", "size": ["years", 1, 1]})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.hut");
   EXPECT_NE(found[0].message.find("only components that stand on 'street' have"), std::string::npos)
@@ -298,7 +298,7 @@ TEST_F(Garden, RejectsAColumnWhereNoTableGivesIt) {
 
 TEST_F(Garden, RejectsARowWithinAnObstacle) {
   write("street.csv", "x,y,kind,years\n0,0,oak,2\n5,1,stone,0\n10,2,oak,4\n");
-  const std::string found = fault(kChosen, "[]", R"j("scene": {"obstacles": [{"box": [[4, -1, -2], [6, 3, 0]]}]}, )j");
+  const std::string found = error(kChosen, "[]", R"j("scene": {"obstacles": [{"box": [[4, -1, -2], [6, 3, 0]]}]}, )j");
   EXPECT_NE(found.find("line 3 of 'street.csv' stands within an obstacle"), std::string::npos) << found;
 }
 
@@ -340,21 +340,21 @@ TEST_F(Garden, AVariableOfAnInstanceMayUseOthers) {
 }
 
 TEST_F(Garden, RejectsAVariableOfAnInstanceOfNoComponent) {
-  const auto found = faults(kBed, kBedLinks, R"j("variables": {"hue": {"value": "rand()", "per": "tulpi"}}, )j");
+  const auto found = errors(kBed, kBedLinks, R"j("variables": {"hue": {"value": "rand()", "per": "tulpi"}}, )j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].nearest, "tulip");
   EXPECT_EQ(found[0].path, "variables.hue.per");
 }
 
 TEST_F(Garden, RejectsAVariableOfAnInstanceOutsideOfIt) {
-  const auto found = faults(std::string(kBed) + R"j(, "stone": {"type": "simple", "size": ["hue", 1, 1]})j", kBedLinks,
+  const auto found = errors(std::string(kBed) + R"j(, "stone": {"type": "simple", "size": ["hue", 1, 1]})j", kBedLinks,
                             R"j("variables": {"hue": {"value": "rand()", "per": "tulip"}}, )j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.stone");
 }
 
 TEST_F(Garden, RejectsVariablesOfInstancesThatNeedEachOther) {
-  const std::string found = fault(kBed, kBedLinks,
+  const std::string found = error(kBed, kBedLinks,
                                   R"j("variables": {"hue": {"value": "tone", "per": "tulip"},
                                                    "tone": {"value": "1 - hue", "per": "tulip"}}, )j");
   EXPECT_NE(found.find("hue -> tone -> hue"), std::string::npos) << found;
@@ -362,18 +362,18 @@ TEST_F(Garden, RejectsVariablesOfInstancesThatNeedEachOther) {
 
 TEST_F(Garden, ItsLimitsHoldForPlacedPlantsToo) {
   const char* one = R"j("oak": {"type": "document", "file": "twig.json", "seed": 1})j";
-  const std::string single = fault(one, "[]", R"j("limits": {"instances": 5}, )j");
+  const std::string single = error(one, "[]", R"j("limits": {"instances": 5}, )j");
   EXPECT_NE(single.find("limits.instances"), std::string::npos) << single;
-  const std::string nodes = fault(one, "[]", R"j("limits": {"nodes": 5}, )j");
+  const std::string nodes = error(one, "[]", R"j("limits": {"nodes": 5}, )j");
   EXPECT_NE(nodes.find("limits.nodes"), std::string::npos) << nodes;
 }
 
 TEST_F(Garden, ItsLimitsHoldForAllVariantsTogether) {
   const std::string row = std::string(kRow) + R"j("oak": {"type": "document", "file": "twig.json"})j";
   const std::string links = R"j([["row", "oak"]])j";
-  const std::string found = fault(row, links, R"j("limits": {"instances": 60}, )j");
+  const std::string found = error(row, links, R"j("limits": {"instances": 60}, )j");
   EXPECT_NE(found.find("the plants of other documents have more than 60 leaves"), std::string::npos) << found;
-  EXPECT_EQ(fault(row, links, R"j("limits": {"instances": 200}, )j"), "no fault");
+  EXPECT_EQ(error(row, links, R"j("limits": {"instances": 200}, )j"), "no fault");
 }
 
 }  // namespace meristem::sources_test

@@ -61,7 +61,7 @@ const ParameterTable& output_table() {
               "pictures.")
           .integer("lod", &OutputParameters::lod, {.min = 0, .max = kCoarsestDetail},
                    "Number of coarser levels of detail that `grow` writes beside each file with meshes.")
-          .integer("cards", &OutputParameters::cards, {.min = 0, .max = kMostCards, .usual = {0, 4}},
+          .integer("cards", &OutputParameters::cards, {.min = 0, .max = kMaxCards, .usual = {0, 4}},
                    "Number of upright crossed cards, pictures of the plant, that `grow` writes as a last level; 0 "
                    "writes none.");
   return table;

@@ -28,7 +28,7 @@ namespace {
 
 /// Maximum number of variables. More are hard to use as handles, and each instance stores a number per variable that it
 /// draws.
-constexpr std::size_t kMostVariables = 1000;
+constexpr std::size_t kMaxVariables = 1000;
 /// Maximum size of a grammar file, bytes. Larger files, such as meshes, are not searched for names.
 constexpr std::uint64_t kLongestGrammar = 1'000'000;
 
@@ -56,7 +56,7 @@ class Solver {
  public:
   Solver(const Value::Object& given, const Limits& limits) {
     for (const auto& [name, variable] : given) {
-      if (!is_free_name(name) || nodes_.size() == kMostVariables || is_per_instance(variable)) continue;
+      if (!is_free_name(name) || nodes_.size() == kMaxVariables || is_per_instance(variable)) continue;
       Node& node = nodes_.emplace_back();
       names_.add(name);
       const Value* value = value_of(variable);
@@ -156,10 +156,10 @@ class Solver {
 
 Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value, const DocumentPath& path) {
   if (!is_identifier(name)) {
-    reader.fault_name(path, fmt::format("'{}' is not a name", name),
+    reader.error_name(path, fmt::format("'{}' is not a name", name),
                       "letters, digits and _, not beginning with a digit", "");
   } else if (has_meaning(name)) {
-    reader.fault_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name", "");
+    reader.error_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name", "");
   }
   Variable variable;
   reader.read(variable_table(), &variable, value, path);
@@ -169,7 +169,7 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
   if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
   if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
   if (variable.min > variable.max) {
-    reader.fault(DocumentPath(path, "min"),
+    reader.error(DocumentPath(path, "min"),
                  fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
                  "a 'min' of at most 'max'");
   }
@@ -216,7 +216,7 @@ VariableValues solve_variables(const Value* given, const Limits& limits) {
 }
 
 bool are_too_many_variables(const Value* given) {
-  return given != nullptr && given->object() != nullptr && given->object()->size() > kMostVariables;
+  return given != nullptr && given->object() != nullptr && given->object()->size() > kMaxVariables;
 }
 
 std::vector<Variable> read_variables(const Value* given, const VariableValues& solved, ParameterReader& reader) {
@@ -225,12 +225,12 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   const DocumentPath top;
   const DocumentPath path(top, "variables");
   if (given->object() == nullptr) {
-    reader.fault(path, fmt::format("the variables are {}", given->description()), "an object of names");
+    reader.error(path, fmt::format("the variables are {}", given->description()), "an object of names");
     return variables;
   }
   if (are_too_many_variables(given)) {
-    reader.fault(path, fmt::format("the document has {} variables", given->object()->size()),
-                 fmt::format("at most {}", kMostVariables));
+    reader.error(path, fmt::format("the document has {} variables", given->object()->size()),
+                 fmt::format("at most {}", kMaxVariables));
     return variables;
   }
   for (const auto& [name, value] : *given->object()) {
@@ -240,7 +240,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   for (const std::vector<std::size_t>& circle : solved.circles) {
     const std::string& first = solved.constants[circle.front()].name;
     const DocumentPath variable(path, first);
-    reader.fault(value_place(variable, *given->find(first)),
+    reader.error(value_place(variable, *given->find(first)),
                  circle.size() == 1 ? fmt::format("'{}' depends on itself", first)
                                     : fmt::format("the variables {} depend on each other in a circle",
                                                   circle_text(solved.constants, circle)),
@@ -253,7 +253,7 @@ void warn_of_variables(const Value& root, const std::vector<Variable>& variables
   // After faults no variable is reported as unused: the faults may be the reason.
   std::set<std::string, std::less<>> unused;
   for (const Variable& variable : variables) {
-    if (reader.fault_count() == 0) unused.insert(variable.name);
+    if (reader.error_count() == 0) unused.insert(variable.name);
   }
   const auto take_out = [&](std::string_view name) {
     if (const auto found = unused.find(name); found != unused.end()) unused.erase(found);

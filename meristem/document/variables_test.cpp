@@ -27,7 +27,7 @@ Document read(const std::string& text, const std::vector<std::string>& sets = {}
   return read_document(text, file, builtin_components(), {.overrides = overrides});
 }
 
-std::string faults_of(const std::string& text, const std::vector<std::string>& sets = {}) {
+std::string errors_of(const std::string& text, const std::vector<std::string>& sets = {}) {
   try {
     read(text, sets);
   } catch (const InputError& error) {
@@ -79,14 +79,14 @@ TEST(Variables, MayGiveTheRangeOfOthers) {
 
 TEST(Variables, ThatGoRoundAreNamed) {
   EXPECT_EQ(
-      faults_of(with(R"("top": "c", "c": {"value": "1 + a"}, "a": "b", "b": "c + size", "size": 2)", "top")),
+      errors_of(with(R"("top": "c", "c": {"value": "1 + a"}, "a": "b", "b": "c + size", "size": 2)", "top")),
       "d.json:2:42: variables.c.value: the variables c -> a -> b -> c depend on each other in a circle; expected an "
       "expression without this circle");
-  EXPECT_EQ(faults_of(with(R"("age": "age + 1")", "age")),
+  EXPECT_EQ(errors_of(with(R"("age": "age + 1")", "age")),
             "d.json:2:22: variables.age: 'age' depends on itself; expected an expression without this circle");
   // Two circles are two faults. A variable that uses one of them causes no further fault.
   EXPECT_EQ(
-      faults_of(with(R"("a": "b", "b": "a", "c": "d", "d": "c", "last": "a + c")", "last")),
+      errors_of(with(R"("a": "b", "b": "a", "c": "d", "d": "c", "last": "a + c")", "last")),
       "d.json:2:20: variables.a: the variables a -> b -> a depend on each other in a circle; expected an expression "
       "without this circle\n"
       "d.json:2:40: variables.c: the variables c -> d -> c depend on each other in a circle; expected an expression "
@@ -94,29 +94,29 @@ TEST(Variables, ThatGoRoundAreNamed) {
 }
 
 TEST(Variables, ThatAreSetInACircleSaySo) {
-  EXPECT_EQ(faults_of(with(R"("a": 1, "b": "a")", "b"), {"a=b"}),
+  EXPECT_EQ(errors_of(with(R"("a": 1, "b": "a")", "b"), {"a=b"}),
             "--set a: variables.a: the variables a -> b -> a depend on each other in a circle; expected an expression "
             "without "
             "this circle");
 }
 
 TEST(Variables, NameTheNearestOfAnUnknownName) {
-  EXPECT_EQ(faults_of(with(R"("tall": "2 + 0.1*agee", "age": 10)", "tall*age")),
+  EXPECT_EQ(errors_of(with(R"("tall": "2 + 0.1*agee", "age": 10)", "tall*age")),
             "d.json:2:32: variables.tall: 'agee' is not a known name; expected a variable or a constant; did you mean "
             "'age'?");
 }
 
 TEST(Variables, AreOneNumberForAll) {
-  EXPECT_EQ(faults_of(with(R"("a": "rand() + 1")", "a")),
+  EXPECT_EQ(errors_of(with(R"("a": "rand() + 1")", "a")),
             "d.json:2:20: variables.a: 'value' is one number (only those of components vary), and this expression "
             "differs between instances; expected an expression of numbers and the document's variables");
-  EXPECT_EQ(faults_of(with(R"("a": "u", "b": "a")", "b")),
+  EXPECT_EQ(errors_of(with(R"("a": "u", "b": "a")", "b")),
             "d.json:2:20: variables.a: 'value' is one number (only those of components vary), and this expression "
             "differs between instances; expected an expression of numbers and the document's variables");
 }
 
 TEST(Variables, WithoutAFiniteValueAreFaults) {
-  EXPECT_EQ(faults_of(with(R"("a": 0, "b": "1/a")", "b")),
+  EXPECT_EQ(errors_of(with(R"("a": 0, "b": "1/a")", "b")),
             "d.json:2:28: variables.b: the expression's value inf is out of range for 'value'; expected a number");
 }
 
@@ -124,7 +124,7 @@ TEST(Variables, ChainsOfAThousandAreWorkedOut) {
   std::string chain = "\"v0\": \"v1 + 1\"";
   for (int k = 1; k < 999; ++k) chain += fmt::format(", \"v{}\": \"v{} + 1\"", k, k + 1);
   EXPECT_EQ(read(with(chain + ", \"v999\": 1", "v0/1000")).variables[0].value, 1000);
-  EXPECT_EQ(faults_of(with(chain + ", \"v999\": 1, \"more\": 2", "1")),
+  EXPECT_EQ(errors_of(with(chain + ", \"v999\": 1, \"more\": 2", "1")),
             "d.json:2:14: variables: the document has 1001 variables; expected at most 1000");
 }
 
@@ -152,12 +152,12 @@ TEST(Variables, ThatWereSetAreToldWhereTheyBreakARule) {
   const std::string text =
       with(R"("age": {"value": 1, "min": 1, "max": 400}, "tall": {"value": "age", "private": true}, "wide": 2)",
            "tall*wide");
-  EXPECT_EQ(faults_of(text, {"age=200", "wide=3"}),
+  EXPECT_EQ(errors_of(text, {"age=200", "wide=3"}),
             "d.json:3:51: components.leaf.length: the expression's value 600 is out of range for 'length' (age is 200; "
             "wide is 3); expected a number (m) from 0.0001 to 100");
-  EXPECT_NE(faults_of(text, {"age=1000"}).find("(age is 1000, beyond 1 to 400)"), std::string::npos);
+  EXPECT_NE(errors_of(text, {"age=1000"}).find("(age is 1000, beyond 1 to 400)"), std::string::npos);
   // What nobody set is as its author meant it.
-  EXPECT_EQ(faults_of(with(R"("wide": 600)", "wide")).find("(wide"), std::string::npos);
+  EXPECT_EQ(errors_of(with(R"("wide": 600)", "wide")).find("(wide"), std::string::npos);
 }
 
 }  // namespace meristem::variables_test

@@ -27,12 +27,12 @@ Batch BatchQueue::next() {
   if (batch.way == nullptr) return batch;
   const Way& way = *batch.way;
   const bool is_last = graph_.structure.outgoing[batch.component].empty();
-  std::size_t most = is_last ? kSitesTogether : kBlock;
-  if (!is_last && way.sites > 0) most = kSitesTogether * way.sites / std::max<std::size_t>(way.offered, 1);
-  most = std::clamp(most / kBlock * kBlock, kBlock, kSitesTogether);
-  if (batch.end - batch.begin > most) {
+  std::size_t max = is_last ? kSitesTogether : kBlock;
+  if (!is_last && way.sites > 0) max = kSitesTogether * way.sites / std::max<std::size_t>(way.offered, 1);
+  max = std::clamp(max / kBlock * kBlock, kBlock, kSitesTogether);
+  if (batch.end - batch.begin > max) {
     Batch rest = batch;
-    rest.begin = batch.end = batch.begin + most;
+    rest.begin = batch.end = batch.begin + max;
     ready_.push_front(std::move(rest));
   }
   return batch;

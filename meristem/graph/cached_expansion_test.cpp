@@ -227,34 +227,34 @@ TEST(CachedExpansion, AFaultLeavesWhatWasThereBefore) {
   Cache cache;
   grow(Settings(), &cache);
   const Settings settings = with([](Settings& s) { s.height = 3; });
-  EXPECT_FALSE(faults_of([&] { settings.builder().mesh_limit(100).grow(0, known_scene(), &cache); }).empty());
+  EXPECT_FALSE(errors_of([&] { settings.builder().mesh_limit(100).grow(0, known_scene(), &cache); }).empty());
   EXPECT_EQ(hash_of(grow(Settings(), &cache)), hash_of(grow(Settings())));
   EXPECT_EQ(cache.reuse<BatchResult>().made, 0U);
 }
 
 /// Returns the text of all faults, or an empty text.
-std::string fault_of(const GraphBuilder& graph, Cache* cache) {
+std::string error_of(const GraphBuilder& graph, Cache* cache) {
   std::string text;
-  for (const Diagnostic& fault : faults_of([&] { graph.grow(0, known_scene(), cache); })) text += fault.text();
+  for (const Diagnostic& error : errors_of([&] { graph.grow(0, known_scene(), cache); })) text += error.text();
   return text;
 }
 
 TEST(CachedExpansion, FaultsAreThoseThatThereWouldBeWithoutIt) {
   Cache cache;
-  int faults = 0;
+  int errors = 0;
   Settings settings;
   for (std::uint64_t edit = 0; edit < 40; ++edit) {
     settings = changed(settings, RandomKey(edit));
     auto graph = settings.builder();
     graph.instance_limit(5000).node_limit(2500).mesh_limit(48 * 9);
-    const std::string fault = fault_of(graph, nullptr);
-    EXPECT_EQ(fault_of(graph, &cache), fault) << edit;
-    faults += fault.empty() ? 0 : 1;
-    if (!fault.empty()) continue;
+    const std::string error = error_of(graph, nullptr);
+    EXPECT_EQ(error_of(graph, &cache), error) << edit;
+    errors += error.empty() ? 0 : 1;
+    if (!error.empty()) continue;
     EXPECT_EQ(hash_of(graph.grow(0, known_scene(), &cache)), hash_of(graph.grow(0, known_scene())));
   }
-  EXPECT_GT(faults, 3);
-  EXPECT_LT(faults, 37);
+  EXPECT_GT(errors, 3);
+  EXPECT_LT(errors, 37);
 }
 
 /// Hash of a value with one variable and no files.

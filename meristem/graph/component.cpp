@@ -170,7 +170,7 @@ void check_rules(const ComponentType& type, const std::string& id, const void* i
   const DocumentPath top;
   const DocumentPath components(top, "components");
   type.parameters.check_all(instance, DocumentPath(components, id), reader);
-  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
 }
 
 const ComponentType* Registry::find(std::string_view name) const {

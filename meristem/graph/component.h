@@ -98,7 +98,7 @@ struct GrowContext {
   Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;            ///< for stages and for a cancel
   bool keeps_fallen = false;     ///< true: shed parts are recorded, because the growth will be shown over time
-  TraceWish wish{};              ///< parts of its growth to record
+  TraceRequest request{};        ///< parts of its growth to record
 };
 
 /// A component that another component places without a link of the document.

@@ -78,14 +78,14 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
   if (body.is_empty()) return {};
   BodyGrid grid{.origin = DVec3(context.parent.frame.origin),
                 .spacing = 1 / math::pow(placement.density, 1.0 / 3),
-                .most = context.limits->instances};
+                .max = context.limits->instances};
   if (placement.depth) grid.depth = *placement.depth;
   // One ball of the body alone shows whether there are far too many.
   const double radius = 0.5 * surface.crown->diameter;
   const double in_ball = placement.depth ? 0 : placement.density * 4 * kPi / 3 * radius * radius * radius;
   const DVec3 size = body.high() - body.low() + 2 * body.reach();
   const double cells = std::max({size.x, size.y, size.z}) / grid.spacing;
-  if (in_ball > 2 * static_cast<double>(context.limits->instances) || cells > kMostBodyCells) {
+  if (in_ball > 2 * static_cast<double>(context.limits->instances) || cells > kMaxBodyCells) {
     throw_limit(in_ball > cells ? "children" : "cells along the crown", std::max(in_ball, cells),
                 context.limits->instances, "instances", context.path + ".density");
   }

@@ -53,14 +53,14 @@ TEST(CrownPlacement, HeadsOutwardAndAsideByItsTurn) {
     if (glm::distance(site.frame.origin, kMiddle) < 0.1F) continue;
     EXPECT_GT(glm::dot(site.frame.heading(), out), 0.995F);
   }
-  double least = 1;
+  double min = 1;
   for (const Site& site : sites({.density = 200, .turn = 0.5, .depth = 0.3})) {
     const Vec3 out = glm::normalize(site.frame.origin - kMiddle);
     EXPECT_LT(glm::distance(glm::cross(site.frame.right(), site.frame.heading()), site.frame.upper()), 1e-4F);
-    least = std::min(least, static_cast<double>(glm::dot(site.frame.heading(), out)));
+    min = std::min(min, static_cast<double>(glm::dot(site.frame.heading(), out)));
   }
-  EXPECT_GT(least, std::cos(0.51));
-  EXPECT_LT(least, std::cos(0.45));
+  EXPECT_GT(min, std::cos(0.51));
+  EXPECT_LT(min, std::cos(0.45));
 }
 
 TEST(CrownPlacement, HeadsAnywhereAlike) {

@@ -208,14 +208,14 @@ TEST(Emitter, TooManyExpectedChildrenAreRefusedBeforeOneIsMade) {
   bool went_on = false;
   auto builder = builder_of("probe");
   builder.instance_limit(10);
-  const auto faults = faults_of([&] {
+  const auto errors = errors_of([&] {
     grow(builder, [&](const Probe&, const Site&, Emitter& out) {
       out.expect_children(11);
       went_on = true;
     });
   });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].text(), HasSubstr("limits.instances"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].text(), HasSubstr("limits.instances"));
   EXPECT_FALSE(went_on);
 }
 
@@ -342,13 +342,13 @@ TEST(Emitter, AnUnseenStemBearsChildrenAndIsNotInThePlant) {
 TEST(Emitter, TooManyNodesOfStemsAreAnInputError) {
   auto builder = builder_of("stems");
   builder.node_limit(5);
-  const auto faults = faults_of([&] {
+  const auto errors = errors_of([&] {
     grow(builder, [](const Probe&, const Site& site, Emitter& out) {
       for (int k = 0; k < 2; ++k) out.stem(straight_stem(site), Surface{});
     });
   });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].text(), HasSubstr("limits.nodes"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].text(), HasSubstr("limits.nodes"));
 }
 
 }  // namespace meristem::emitter_test

@@ -78,7 +78,7 @@ class Expansion {
     if (traces_ != nullptr) {
       traces_->step = view_.step;
       traces_->of = view_.of;
-      traces_->recorded = view_.wish;
+      traces_->recorded = view_.request;
     }
     walk();
     for (FinishedBatch& finished : queue_.take_results()) hand_on(std::move(finished));
@@ -89,10 +89,10 @@ class Expansion {
   }
 
   /// Returns the tree of instances.
-  InstanceTree tree(std::uint64_t most) {
+  InstanceTree tree(std::uint64_t max) {
     tree_.emplace();
     is_sliced_ = false;
-    most_ = most;
+    max_ = max;
     walk();
     return std::move(*tree_);
   }
@@ -116,8 +116,8 @@ class Expansion {
   }
 
   /// Walks until the instance is found. The run does not end, so the results in the cache stay.
-  std::optional<FoundInstance> find(const InstanceWish& wish) {
-    wish_ = &wish;
+  std::optional<FoundInstance> find(const InstanceQuery& request) {
+    request_ = &request;
     is_sliced_ = false;
     walk();
     return std::move(found_);
@@ -125,7 +125,7 @@ class Expansion {
 
  private:
   void walk() {
-    const bool will_place = !tree_ && counts_.empty() && !clocks_ && wish_ == nullptr;
+    const bool will_place = !tree_ && counts_.empty() && !clocks_ && request_ == nullptr;
     require_bounded_counts(graph_, scene_, will_place, will_mesh_);
     surroundings_ = fingerprint_of_surroundings();
     Site root;
@@ -190,12 +190,12 @@ class Expansion {
 
   /// Returns the parts of a component's growth to record: the requested parts, and the parts that other components
   /// show.
-  TraceWish wish_for(const Prototype& prototype) const {
-    TraceWish wish = view_.wish;
-    if (wish.has(TracePart::markers) || step_of(prototype)) wish = wish | TraceWish{TracePart::steps};
-    if (shows_outcome()) wish = wish | TraceWish{TracePart::outcome};
-    if (watched_.contains(prototype.id)) wish = wish | TraceWish{TracePart::points};
-    return wish;
+  TraceRequest request_for(const Prototype& prototype) const {
+    TraceRequest request = view_.request;
+    if (request.has(TracePart::markers) || step_of(prototype)) request = request | TraceRequest{TracePart::steps};
+    if (shows_outcome()) request = request | TraceRequest{TracePart::outcome};
+    if (watched_.contains(prototype.id)) request = request | TraceRequest{TracePart::points};
+    return request;
   }
 
   std::shared_ptr<const Sites> places_of(SiteList sites) const {
@@ -256,7 +256,7 @@ class Expansion {
         .add(*own)
         .add(*batch.places->hash)
         .add(unrolls(prototype))
-        .add(wish_for(prototype).bits())
+        .add(request_for(prototype).bits())
         .hash();
   }
 
@@ -328,7 +328,7 @@ class Expansion {
                               stand,
                               progress_,
                               unrolls(prototype),
-                              wish_for(prototype)};
+                              request_for(prototype)};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -353,7 +353,7 @@ class Expansion {
     nodes_ += result->nodes;
     if (traces_ != nullptr) take_traces(batch, grown, *result);
     if (!counts_.empty()) count_instances(batch);
-    if (wish_ != nullptr) look_for_wish(batch, links, *result);
+    if (request_ != nullptr) look_for_request(batch, links, *result);
     require_placed(batch.component, *result);
     memory_.add(graph_.components[batch.component].id, *result);
     const std::uint64_t before = instances_;
@@ -572,8 +572,8 @@ class Expansion {
   std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
                                             const std::vector<std::uint32_t>& parents, LinkIndex link) {
     std::vector<InstanceTree::Instance>& all = tree_->instances;
-    if (all.size() + batch.count() > most_) {
-      throw InputError(Diagnostic{.message = fmt::format("there are more than {} instances", most_),
+    if (all.size() + batch.count() > max_) {
+      throw InputError(Diagnostic{.message = fmt::format("there are more than {} instances", max_),
                                   .expected = "a smaller plant, or a greater number of instances that are drawn",
                                   .path = "components." + graph_.components[batch.component].id});
     }
@@ -595,22 +595,23 @@ class Expansion {
   /// numbered over its batches in order, and `passed_` counts the parts of earlier instances. Blocks that end before
   /// the requested number are skipped by their counts. Within the right block, each instance is expanded again alone,
   /// and its own parts are counted until the number is reached.
-  void look_for_wish(const Batch& batch, const std::vector<LinkIndex>& links, const BatchResult& result) {
+  void look_for_request(const Batch& batch, const std::vector<LinkIndex>& links, const BatchResult& result) {
     const Prototype& prototype = graph_.components[batch.component];
-    if (prototype.id != wish_->component || found_) return;
+    if (prototype.id != request_->component || found_) return;
     const auto count = [&](const Emitted& block) -> std::uint64_t {
-      if (wish_->of == InstanceWish::Of::organ) return block.organs.size();
+      if (request_->of == InstanceQuery::Of::organ) return block.organs.size();
       return static_cast<std::uint64_t>(std::ranges::count_if(block.stems, &EmittedStem::visible));
     };
-    if (wish_->of == InstanceWish::Of::instance) {
-      if (wish_->number - passed_ < batch.count()) found_ = described(prototype, batch.site(wish_->number - passed_));
+    if (request_->of == InstanceQuery::Of::instance) {
+      if (request_->number - passed_ < batch.count())
+        found_ = described(prototype, batch.site(request_->number - passed_));
       passed_ += batch.count();
       return;
     }
     const std::size_t size = prototype.type->grow ? 1 : kBlock;
     for (std::size_t k = 0; k < result.blocks.size(); ++k) {
       const std::uint64_t made = count(result.blocks[k]);
-      if (passed_ + made <= wish_->number) {
+      if (passed_ + made <= request_->number) {
         passed_ += made;
         continue;
       }
@@ -624,7 +625,7 @@ class Expansion {
         Emitter emitter(context);
         prototype.type->expand(prototype, std::span(of_block).subspan(s, 1), emitter);
         const std::uint64_t own = count(emitter.take());
-        if (passed_ + own > wish_->number) site = &of_block[s];
+        if (passed_ + own > request_->number) site = &of_block[s];
         passed_ += own;
       }
       if (site != nullptr) found_ = described(prototype, *site);
@@ -665,12 +666,12 @@ class Expansion {
   std::unordered_map<ComponentIndex, std::uint32_t> grown_instances_;  // number of instances so far
   CacheRun results_;
   CacheKey surroundings_;
-  bool is_sliced_ = false;              // batches expand in slices, because nobody needs whole ones
-  std::vector<std::uint64_t> made_;     // number of instances so far, by component
-  std::optional<InstanceTree> tree_;    // set if the tree is requested
-  std::uint64_t most_ = 0;              // maximum number of its instances
-  const InstanceWish* wish_ = nullptr;  // the requested part; null: no request
-  std::uint64_t passed_ = 0;            // number of such parts made by earlier instances
+  bool is_sliced_ = false;                  // batches expand in slices, because nobody needs whole ones
+  std::vector<std::uint64_t> made_;         // number of instances so far, by component
+  std::optional<InstanceTree> tree_;        // set if the tree is requested
+  std::uint64_t max_ = 0;                   // maximum number of its instances
+  const InstanceQuery* request_ = nullptr;  // the requested part; null: no request
+  std::uint64_t passed_ = 0;                // number of such parts made by earlier instances
   std::optional<FoundInstance> found_;
   std::vector<std::uint64_t> counts_;              // instances by component, if requested
   std::optional<std::vector<BegunClock>> clocks_;  // set if the clocks are requested
@@ -683,9 +684,8 @@ class Expansion {
 
 }  // namespace
 
-InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most,
-                           Progress& progress) {
-  return Expansion(graph, scene, time, progress, {}).tree(most);
+InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t max, Progress& progress) {
+  return Expansion(graph, scene, time, progress, {}).tree(max);
 }
 
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
@@ -699,9 +699,9 @@ std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, dou
 }
 
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
-                                           const InstanceWish& wish, Progress& progress, Cache* cache,
+                                           const InstanceQuery& request, Progress& progress, Cache* cache,
                                            const GrowthView& view) {
-  return Expansion(graph, scene, time, progress, {cache, view}).find(wish);
+  return Expansion(graph, scene, time, progress, {cache, view}).find(request);
 }
 
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache) {

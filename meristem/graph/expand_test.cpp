@@ -269,25 +269,25 @@ TEST(Expand, TheSameBytesOnAnyNumberOfThreads) {
 }
 
 // The only fault of growing with at most `limit` instances.
-Diagnostic limit_fault(GraphBuilder builder, std::uint64_t limit) {
-  const auto faults = faults_of([&] { builder.instance_limit(limit).grow(); });
-  EXPECT_EQ(faults.size(), 1U);
-  return faults.empty() ? Diagnostic{} : faults[0];
+Diagnostic limit_error(GraphBuilder builder, std::uint64_t limit) {
+  const auto errors = errors_of([&] { builder.instance_limit(limit).grow(); });
+  EXPECT_EQ(errors.size(), 1U);
+  return errors.empty() ? Diagnostic{} : errors[0];
 }
 
 TEST(Expand, AnExplodingRecursionIsStoppedAndNamed) {
   auto builder = with_camera().component("tree", "star", {{"number", 10}, {"recursion", 1000}});
   builder.link("view", "tree").link("tree", "tree");
-  const Diagnostic fault = limit_fault(builder, 100'000);
-  EXPECT_EQ(fault.path, "components.tree.recursion");
-  EXPECT_NE(fault.expected.find("at most 100000 (limits.instances)"), std::string::npos) << fault.text();
+  const Diagnostic error = limit_error(builder, 100'000);
+  EXPECT_EQ(error.path, "components.tree.recursion");
+  EXPECT_NE(error.expected.find("at most 100000 (limits.instances)"), std::string::npos) << error.text();
 }
 
 TEST(Expand, AThousandMillionChildrenAreStoppedBeforeMemoryIsSpent) {
   for (const int threads : {1, 8}) {
     const ThreadLimit limit(threads);
-    const Diagnostic fault = limit_fault(star_of(1'000'000'000), 100'000);
-    EXPECT_EQ(fault.text(),
+    const Diagnostic error = limit_error(star_of(1'000'000'000), 100'000);
+    EXPECT_EQ(error.text(),
               "components.star: 'star' offers sites to more than 100000 instances; "
               "expected at most 100000 (limits.instances)");
   }
@@ -297,14 +297,14 @@ TEST(Expand, AThousandMillionPlacesAreStoppedAtTheirLink) {
   for (const char* key : {"density", "count"}) {
     auto builder = with_camera().component("pole", "pole").component("leaf", "stick").link("view", "pole");
     builder.link("pole", "leaf", LinkKind::branch, {{key, 1e9}, {"where", "1"}});
-    EXPECT_EQ(limit_fault(builder, 100'000).path, std::string("links[1].") + key);
+    EXPECT_EQ(limit_error(builder, 100'000).path, std::string("links[1].") + key);
   }
 }
 
 TEST(Expand, TheLimitItselfIsAllowed) {
   // The camera, the star and its children.
   EXPECT_EQ(count_of(star_of(1000).instance_limit(1002), "stick"), 1000U);
-  EXPECT_EQ(limit_fault(star_of(1000), 1001).path, "components.star");
+  EXPECT_EQ(limit_error(star_of(1000), 1001).path, "components.star");
 }
 
 TEST(Expand, TooManyDifferentShapesAreStoppedAndNamed) {
@@ -313,9 +313,9 @@ TEST(Expand, TooManyDifferentShapesAreStoppedAndNamed) {
   EXPECT_EQ(GraphBuilder(builder).mesh_limit(48'000).grow().prototypes.size(), 1000U);
   for (const int threads : {1, 8}) {
     const ThreadLimit limit(threads);
-    const auto faults = faults_of([&] { GraphBuilder(builder).mesh_limit(47'999).grow(); });
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].text(),
+    const auto errors = errors_of([&] { GraphBuilder(builder).mesh_limit(47'999).grow(); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].text(),
               "components.stick: the shapes of 'stick' take more than 47999 bytes; "
               "expected at most 47999 (limits.mesh_bytes)");
   }
@@ -324,10 +324,10 @@ TEST(Expand, TooManyDifferentShapesAreStoppedAndNamed) {
 TEST(Expand, FramesThatGrowBeyondAllBoundsAreInputErrors) {
   auto builder = with_camera().component(
       "a", "stick", {{"recursion", 101}, {"frame", Value::Object{{"scale", Value::List{1e4, 1e4, 1e4}}}}});
-  const auto faults = faults_of([&] { builder.link("view", "a").link("a", "a").grow(); });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "components.a");
-  EXPECT_NE(faults[0].message.find("is not finite"), std::string::npos);
+  const auto errors = errors_of([&] { builder.link("view", "a").link("a", "a").grow(); });
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.a");
+  EXPECT_NE(errors[0].message.find("is not finite"), std::string::npos);
 }
 
 TEST(Expand, WhatHasShrunkToNothingEnds) {

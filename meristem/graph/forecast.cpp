@@ -86,23 +86,23 @@ class Forecast {
   }
 
   /// Returns a fault for each limit that is passed.
-  std::vector<Diagnostic> faults(bool will_place, bool will_mesh) const {
+  std::vector<Diagnostic> errors(bool will_place, bool will_mesh) const {
     const Limits& limits = graph_.limits;
-    std::vector<Diagnostic> faults;
-    check(instances_, {.what = "instances", .limit = limits.instances, .limit_name = "instances"}, faults);
-    check(nodes_, {.what = "skeleton nodes", .limit = limits.nodes, .limit_name = "nodes"}, faults);
-    check(points_, {.what = "attraction points", .limit = limits.points, .limit_name = "points"}, faults);
+    std::vector<Diagnostic> errors;
+    check(instances_, {.what = "instances", .limit = limits.instances, .limit_name = "instances"}, errors);
+    check(nodes_, {.what = "skeleton nodes", .limit = limits.nodes, .limit_name = "nodes"}, errors);
+    check(points_, {.what = "attraction points", .limit = limits.points, .limit_name = "points"}, errors);
     if (will_mesh) {
-      check(triangles(), {.what = "triangles", .limit = limits.triangles, .limit_name = "triangles"}, faults);
+      check(triangles(), {.what = "triangles", .limit = limits.triangles, .limit_name = "triangles"}, errors);
     }
     if (will_place) {
       check(other_plants(),
             {.what = "different plants of other documents",
              .limit = kMaxVariants,
              .expected = fmt::format("at most {}: \"variants\", or one \"seed\"", kMaxVariants)},
-            faults);
+            errors);
     }
-    return faults;
+    return errors;
   }
 
  private:
@@ -206,14 +206,14 @@ class Forecast {
   }
 
   /// Adds a fault if the components together exceed the limit of `share`.
-  void check(const std::vector<double>& by_component, CountShare share, std::vector<Diagnostic>& faults) const {
+  void check(const std::vector<double>& by_component, CountShare share, std::vector<Diagnostic>& errors) const {
     for (const double count : by_component) share.total += count;
     if (!(share.total > static_cast<double>(share.limit))) return;
     const auto largest = std::ranges::max_element(by_component);
     share.is_whole = is_whole_;
     share.largest = graph_.components[static_cast<std::size_t>(largest - by_component.begin())].id;
     share.share = *largest;
-    faults.push_back(share_diagnostic(share));
+    errors.push_back(share_diagnostic(share));
   }
 
   const Graph& graph_;
@@ -242,8 +242,8 @@ Diagnostic share_diagnostic(const CountShare& share) {
 void require_bounded_counts(const Graph& graph, const Scene& scene, bool will_place, bool will_mesh) {
   Forecast forecast(graph, scene);
   forecast.run();
-  std::vector<Diagnostic> faults = forecast.faults(will_place, will_mesh);
-  if (!faults.empty()) throw InputError(std::move(faults));
+  std::vector<Diagnostic> errors = forecast.errors(will_place, will_mesh);
+  if (!errors.empty()) throw InputError(std::move(errors));
 }
 
 }  // namespace meristem

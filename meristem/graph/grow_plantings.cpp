@@ -23,7 +23,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint64_t kMostPlants =
+constexpr std::uint64_t kMaxPlants =
     10'000;  // counts the plants within plants, too; each takes at least some tens of kilobytes
 
 std::uint64_t key_of(const Emitted::PlacedPlant& plant, const std::optional<int>& step) {
@@ -78,7 +78,7 @@ class PlantingGrower {
   PlantingGrower(const Graph& graph, const GrowthView& view, CacheRun& results, Progress& progress)
       : graph_(graph),
         view_(view),
-        wish_(view.wish.without(TracePart::outcome)),
+        request_(view.request.without(TracePart::outcome)),
         results_(results),
         progress_(progress) {}
 
@@ -111,7 +111,7 @@ class PlantingGrower {
 
   /// Returns the view that shows the plants of a component.
   GrowthView view_for(ComponentIndex component) const {
-    return {is_looked_at(view_, id(component)) ? view_.step : std::nullopt, wish_};
+    return {is_looked_at(view_, id(component)) ? view_.step : std::nullopt, request_};
   }
 
   void add(const Emitted::PlacedPlant& plant, ComponentIndex component) {
@@ -123,7 +123,7 @@ class PlantingGrower {
     if (is_new) {
       // Two components may show the same plant at different steps.
       const std::uint64_t growth_key =
-          Fingerprint().add(key_of(plant, {})).add(wish_.bits()).add_text(id(component)).hash();
+          Fingerprint().add(key_of(plant, {})).add(request_.bits()).add_text(id(component)).hash();
       wanted_.push_back({&plant, component, key, growth_key});
       if (wanted_.size() > kMaxVariants) throw_too_many(component);
     }
@@ -149,15 +149,15 @@ class PlantingGrower {
   /// below.
   void grow_all() {
     progress_.begin("growing plants", wanted_.size());
-    std::vector<std::exception_ptr> faults(wanted_.size());
+    std::vector<std::exception_ptr> errors(wanted_.size());
     std::atomic<std::uint64_t> plants{0}, nodes{0}, organs{0};
-    std::atomic<std::size_t> first_fault{wanted_.size()};
+    std::atomic<std::size_t> first_error{wanted_.size()};
     std::mutex storing;
     for (Wanted& wanted : wanted_) find(wanted);
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        if (k > first_fault) return;
-        if (plants > kMostPlants || nodes > graph_.limits.nodes || organs > graph_.limits.instances) return;
+        if (k > first_error) return;
+        if (plants > kMaxPlants || nodes > graph_.limits.nodes || organs > graph_.limits.instances) return;
         try {
           if (wanted_[k].grown == nullptr) {
             grow(wanted_[k]);
@@ -170,17 +170,17 @@ class PlantingGrower {
           nodes += held.nodes;
           organs += held.organs;
         } catch (const InputError&) {
-          faults[k] = std::current_exception();
-          for (std::size_t known = first_fault; k < known && !first_fault.compare_exchange_weak(known, k);) {
+          errors[k] = std::current_exception();
+          for (std::size_t known = first_error; k < known && !first_error.compare_exchange_weak(known, k);) {
           }
         }
         progress_.advance();
       }
     });
-    for (const std::exception_ptr& fault : faults) {
-      if (fault) std::rethrow_exception(fault);
+    for (const std::exception_ptr& error : errors) {
+      if (error) std::rethrow_exception(error);
     }
-    require_at_most(plants, "plants in them", kMostPlants, "");
+    require_at_most(plants, "plants in them", kMaxPlants, "");
     require_at_most(nodes, "nodes", graph_.limits.nodes, " (limits.nodes)");
     require_at_most(organs, "leaves and other organs", graph_.limits.instances, " (limits.instances)");
   }
@@ -200,7 +200,7 @@ class PlantingGrower {
     results_.count<PlantVariant>(wanted.growth != nullptr || wanted.grown != nullptr);
   }
 
-  bool is_kept(const Wanted& wanted) const { return wish_.any() || view_for(wanted.component).step; }
+  bool is_kept(const Wanted& wanted) const { return request_.any() || view_for(wanted.component).step; }
 
   void require_at_most(std::uint64_t count, const char* what, std::uint64_t limit, const char* limit_name) const {
     if (count <= limit) return;
@@ -225,19 +225,19 @@ class PlantingGrower {
     } catch (const InputError& error) {
       // The fault's own position lies in the other document; here the fault is placed at the component that requests
       // the plant.
-      std::vector<Diagnostic> faults;
+      std::vector<Diagnostic> errors;
       for (const Diagnostic& found : error.diagnostics()) {
         if (found.severity != Severity::error) continue;
-        faults.push_back({.message = fmt::format("growing {}: {}", told(wanted), found.text()),
+        errors.push_back({.message = fmt::format("growing {}: {}", told(wanted), found.text()),
                           .path = "components." + id(wanted.component)});
       }
-      throw InputError(std::move(faults));
+      throw InputError(std::move(errors));
     }
   }
 
   const Graph& graph_;
   const GrowthView& view_;
-  const TraceWish wish_;  // parts of the growth to record of each plant
+  const TraceRequest request_;  // parts of the growth to record of each plant
   CacheRun& results_;
   Progress& progress_;
   std::vector<Wanted> wanted_;

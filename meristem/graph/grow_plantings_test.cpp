@@ -130,45 +130,45 @@ TEST(GrowPlantings, PlacesThatHaveShrunkToNothingHaveNoPlant) {
 TEST(GrowPlantings, TheFirstFaultIsToldAtTheComponentOnAnyNumberOfThreads) {
   for (const unsigned threads : {1U, 3U}) {
     const ThreadLimit limit(threads);
-    const auto faults = faults_of([] {
+    const auto errors = errors_of([] {
       grow(garden(), [](Emitter& out) {
         for (const double nodes : {3.0, -1.0, 4.0, -2.0}) request(out, 0, nodes);
       });
     });
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].path, "components.planter");
-    EXPECT_THAT(faults[0].message, HasSubstr("growing 'nursery.json' with nodes = -1, seed 1: "));
-    EXPECT_THAT(faults[0].message, HasSubstr("-1 nodes"));
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].path, "components.planter");
+    EXPECT_THAT(errors[0].message, HasSubstr("growing 'nursery.json' with nodes = -1, seed 1: "));
+    EXPECT_THAT(errors[0].message, HasSubstr("-1 nodes"));
   }
 }
 
 TEST(GrowPlantings, MoreThanAThousandDifferentPlantsAreAnError) {
   const auto plants = [](int count) {
-    return faults_of([&] {
+    return errors_of([&] {
       grow(garden(), [&](Emitter& out) {
         for (int k = 0; k < count; ++k) request(out, 0, 1, static_cast<std::uint64_t>(k));
       });
     });
   };
   EXPECT_TRUE(plants(1000).empty());
-  const auto faults = plants(1001);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].message, "there are more than 1000 different plants of other documents");
+  const auto errors = plants(1001);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].message, "there are more than 1000 different plants of other documents");
   EXPECT_EQ(grown, 0) << "before one is grown";
 }
 
 TEST(GrowPlantings, TheirNodesAreLimited) {
   auto builder = garden();
   builder.node_limit(10);
-  const auto faults = faults_of([&] {
+  const auto errors = errors_of([&] {
     grow(builder, [](Emitter& out) {
       request(out, 0, 6);
       request(out, 0, 5);
     });
   });
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].text(), HasSubstr("more than 10 nodes"));
-  EXPECT_THAT(faults[0].text(), HasSubstr("limits.nodes"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].text(), HasSubstr("more than 10 nodes"));
+  EXPECT_THAT(errors[0].text(), HasSubstr("limits.nodes"));
 }
 
 TEST(GrowPlantings, AreFoundInTheCacheOfTheExpansionBefore) {

@@ -16,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostPlacedMarks = 4'000'000;  // all places together: about 200 MB as overlays
+constexpr std::size_t kMaxPlacedMarks = 4'000'000;  // all places together: about 200 MB as overlays
 
 /// Places the marks of placed plants at each of their positions, and counts them.
 class PlacedMarks {
@@ -30,7 +30,7 @@ class PlacedMarks {
         progress_.check();
         const std::string component = placed.component + "." + growth.component;
         count_ += growth.marks.count();
-        if (count_ > kMostPlacedMarks) throw_too_many(placed.component);
+        if (count_ > kMaxPlacedMarks) throw_too_many(placed.component);
         all.push_back({component, next_[component]++, growth.marks});
         all.back().marks.move(frame);
       }
@@ -40,7 +40,7 @@ class PlacedMarks {
  private:
   [[noreturn]] static void throw_too_many(const std::string& component) {
     throw InputError(Diagnostic{
-        .message = fmt::format("the plants of other documents grew by more than {} points and ways", kMostPlacedMarks),
+        .message = fmt::format("the plants of other documents grew by more than {} points and ways", kMaxPlacedMarks),
         .expected = "fewer of these plants, or the overlays of one of them in its own document",
         .path = "components." + component});
   }
@@ -63,25 +63,26 @@ void GrowthTraces::add_steps(const std::string& component, int last, const Growt
   if (is_looked_at(view, component)) last_step = std::max(last_step, last);
 }
 
-StepMarks GrowthTraces::marks(int of_step, TraceWish wish, const Progress& progress) const {
+StepMarks GrowthTraces::marks(int of_step, TraceRequest request, const Progress& progress) const {
   StepMarks marks;
-  for (GrowthMarks& growth : marks_of_growths(of_step, wish, progress)) marks.append(std::move(growth.marks));
+  for (GrowthMarks& growth : marks_of_growths(of_step, request, progress)) marks.append(std::move(growth.marks));
   return marks;
 }
 
-std::vector<GrowthMarks> GrowthTraces::marks_of_growths(int of_step, TraceWish wish, const Progress& progress) const {
+std::vector<GrowthMarks> GrowthTraces::marks_of_growths(int of_step, TraceRequest request,
+                                                        const Progress& progress) const {
   const auto step_for = [&](const std::string& component) {
     return of.empty() || of == component ? of_step : std::numeric_limits<int>::max();
   };
   std::vector<GrowthMarks> all;
   for (const TracedGrowth& growth : growths) {
     const int own = step_for(growth.component);
-    all.push_back({growth.component, growth.instance, growth.trace->marks(own, wish, progress)});
+    all.push_back({growth.component, growth.instance, growth.trace->marks(own, request, progress)});
   }
   PlacedMarks at_places(progress);
   for (const PlacedTraces& plant : placed) {
     // The recursion is as deep as documents lie within each other.
-    at_places.add(plant, plant.traces->marks_of_growths(step_for(plant.component), wish, progress), all);
+    at_places.add(plant, plant.traces->marks_of_growths(step_for(plant.component), request, progress), all);
   }
   return all;
 }

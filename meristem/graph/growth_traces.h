@@ -17,7 +17,7 @@ struct GrowthView {
   /// steps of an L-system are the steps of its derivation. The plants look as if they had no more iterations, whatever
   /// the clock shows. The growth is recorded, so that a cache gives all steps of one growth. Unset: the last step.
   std::optional<int> step;
-  TraceWish wish;  ///< parts of the growth to record
+  TraceRequest request;  ///< parts of the growth to record
   /// If true, plants in plan mode are shown after their planned operations. A view that only records the outcome shows
   /// them before. With a cache, both views share one growth. Has no effect if `step` is set.
   bool outcome = false;
@@ -74,7 +74,7 @@ struct GrowthTraces {
                                       ///< model
   std::optional<int> step;            ///< step at which these plants are shown; unset: their last
   std::string of{};                   ///< GrowthView::of: id of the component whose plants `step` is for; empty: all
-  TraceWish recorded;                 ///< the requested records, even if no plant has such parts
+  TraceRequest recorded;              ///< the requested records, even if no plant has such parts
 
   /// Registers that plants of a component take `last` steps; `view` is the view that shows them.
   void add_steps(const std::string& component, int last, const GrowthView& view);
@@ -84,10 +84,10 @@ struct GrowthTraces {
   /// Returns the marks of one step of all plants that the view's step applies to, including placed plants. A plant that
   /// has ended earlier, and every other plant, contributes its last step. Throws as GrowthTrace::marks(), and
   /// InputError if placed plants have more than 4 million marks.
-  StepMarks marks(int of_step, TraceWish wish, const Progress& progress) const;
+  StepMarks marks(int of_step, TraceRequest request, const Progress& progress) const;
   /// Returns the marks of each growth: first the growths of the document in their order, then the growths of placed
   /// plants, place by place.
-  std::vector<GrowthMarks> marks_of_growths(int of_step, TraceWish wish, const Progress& progress) const;
+  std::vector<GrowthMarks> marks_of_growths(int of_step, TraceRequest request, const Progress& progress) const;
   bool has_growths() const;     ///< whether anything was recorded of any plant
   std::uint64_t bytes() const;  ///< memory of all records
 };

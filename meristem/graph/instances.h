@@ -30,9 +30,9 @@ struct InstanceTree {
   std::vector<Instance> instances;  ///< parents before children; children of one parent and link in their order
 };
 
-/// Expands the graph and returns the tree of its instances. Throws an InputError if there are more than `most`
+/// Expands the graph and returns the tree of its instances. Throws an InputError if there are more than `max`
 /// instances, and as expand() does.
-InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
+InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t max, Progress& progress);
 
 /// Returns the number of instances of each component of the graph, in the order of the components. Omitted instances do
 /// not count. With the cache of an expansion of equal arguments, nothing is made again. Throws as expand() does.
@@ -52,7 +52,7 @@ std::vector<BegunClock> begun_clocks(const Graph& graph, const Scene& scene, dou
                                      Cache* cache = nullptr, const GrowthView& view = {});
 
 /// A request for the instance of a part of a plant. Parts are numbered in the order of the plant that expand() returns.
-struct InstanceWish {
+struct InstanceQuery {
   /// The kind of part that `number` counts.
   enum class Of {
     organ,     ///< number `number` among the organs of the component
@@ -76,7 +76,7 @@ struct FoundInstance {
 /// there is no such part, or if several instances made it together. With the cache of that expansion, nothing is grown
 /// again. Throws as expand() does.
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
-                                           const InstanceWish& wish, Progress& progress, Cache* cache = nullptr,
+                                           const InstanceQuery& request, Progress& progress, Cache* cache = nullptr,
                                            const GrowthView& view = {});
 
 }  // namespace meristem

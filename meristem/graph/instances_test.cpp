@@ -77,12 +77,12 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "leaf", .number = organs}, progress, &cache));
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "nobody"}, progress, &cache));
   const auto third = find_instance(
-      graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::instance, .number = 2}, progress, &cache);
+      graph, scene, 0, {.component = "pole", .of = InstanceQuery::Of::instance, .number = 2}, progress, &cache);
   ASSERT_TRUE(third);
   EXPECT_EQ(third->site.i, 2U);
-  EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::instance, .number = 300},
+  EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "pole", .of = InstanceQuery::Of::instance, .number = 300},
                              progress, &cache));
-  const auto pole = find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271},
+  const auto pole = find_instance(graph, scene, 0, {.component = "pole", .of = InstanceQuery::Of::stem, .number = 271},
                                   progress, &cache);
   ASSERT_TRUE(pole);
   EXPECT_EQ(pole->site.i, 271U);
@@ -106,7 +106,7 @@ TEST(Instances, AskingLeavesTheCacheAsItWas) {
   Cache cache;
   expand(graph, scene, 0, progress, &cache);
   const std::uint64_t bytes = cache.bytes();
-  find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem}, progress, &cache);
+  find_instance(graph, scene, 0, {.component = "pole", .of = InstanceQuery::Of::stem}, progress, &cache);
   EXPECT_EQ(cache.bytes(), bytes);
 }
 

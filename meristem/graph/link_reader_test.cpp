@@ -20,19 +20,19 @@ Value link(const char* kind, const Value::Object& keys = {}) {
 }
 
 // The graph of a pole and a stick with these links.
-Graph read(const Value::List& links, std::vector<Diagnostic>& faults) {
+Graph read(const Value::List& links, std::vector<Diagnostic>& errors) {
   Graph graph = GraphBuilder(test_components()).component("pole", "pole").component("stick", "stick").graph();
   ParameterReader reader({}, graph.limits);
   const DocumentPath top;
   LinkReader(graph, reader).read(Value(links), DocumentPath(top, "links"));
-  faults = reader.take_diagnostics();
+  errors = reader.take_diagnostics();
   return graph;
 }
 
 Graph sound(const Value::List& links) {
-  std::vector<Diagnostic> faults;
-  Graph graph = read(links, faults);
-  EXPECT_TRUE(faults.empty()) << faults[0].text();
+  std::vector<Diagnostic> errors;
+  Graph graph = read(links, errors);
+  EXPECT_TRUE(errors.empty()) << errors[0].text();
   return graph;
 }
 
@@ -56,20 +56,20 @@ TEST(LinkReader, EndsAreFoundByTheirIds) {
 }
 
 TEST(LinkReader, LeavesFaultyLinksOutAndReadsTheRest) {
-  std::vector<Diagnostic> faults;
-  const Graph graph = read({pair("pole", "stock"), pair("pole", "stick")}, faults);
+  std::vector<Diagnostic> errors;
+  const Graph graph = read({pair("pole", "stock"), pair("pole", "stick")}, errors);
   EXPECT_EQ(graph.links.size(), 1U);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "links[0][1]");
-  EXPECT_EQ(faults[0].nearest, "stick");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "links[0][1]");
+  EXPECT_EQ(errors[0].nearest, "stick");
 }
 
 TEST(LinkReader, KeysOfAPlacementBelongToBranchLinks) {
-  std::vector<Diagnostic> faults;
-  read({link("leaf", {{"count", 3}})}, faults);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "links[0].count");
-  EXPECT_EQ(faults[0].message, "'count' belongs to branch links");
+  std::vector<Diagnostic> errors;
+  read({link("leaf", {{"count", 3}})}, errors);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "links[0].count");
+  EXPECT_EQ(errors[0].message, "'count' belongs to branch links");
 }
 
 TEST(AddCamera, LinksToWhatHangsOnNothing) {

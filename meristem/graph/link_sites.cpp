@@ -355,7 +355,7 @@ SiteList LinkSites::places(LinkIndex link, const BatchResult& parent, Counts bef
   const std::uint64_t limit = graph_.limits.instances;
   const std::uint64_t room = limit - std::min(limit, before.all);
   std::vector<SiteList> found(blocks);
-  std::vector<std::exception_ptr> faults(blocks);
+  std::vector<std::exception_ptr> errors(blocks);
   LeadingSum lower(blocks);
   parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
     // If the earlier blocks already have too many sites, this block is skipped to save memory.
@@ -365,7 +365,7 @@ SiteList LinkSites::places(LinkIndex link, const BatchResult& parent, Counts bef
       Emitted* const own_block = own != nullptr ? &own->blocks[block] : nullptr;
       found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block], own_block);
     } catch (const InputError&) {
-      faults[block] = std::current_exception();
+      errors[block] = std::current_exception();
     }
     lower.add(block, found[block].size());
   });
@@ -373,7 +373,7 @@ SiteList LinkSites::places(LinkIndex link, const BatchResult& parent, Counts bef
   // Throws the fault that following the blocks one after another would give.
   std::uint64_t count = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
-    if (faults[block]) std::rethrow_exception(faults[block]);
+    if (errors[block]) std::rethrow_exception(errors[block]);
     count += found[block].size();
     if (per_block != nullptr) per_block->push_back(found[block].size());
     if (count > room) throw_too_many(link, count, before);

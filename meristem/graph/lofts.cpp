@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kSame = 1e-4;      // largest difference between equal chains, as a share of the chain's size
 constexpr double kRounding = 3e-7;  // rounding of 32-bit numbers, as a share of a point's distance from the origin
-constexpr std::size_t kMostInDrawer = 4;
+constexpr std::size_t kMaxInDrawer = 4;
 constexpr double kDrawer = 5e-4;    // width of a drawer, in units of the weighted sums
 constexpr std::size_t kGrain = 16;  // chains that one thread meshes at a time
 
@@ -206,7 +206,7 @@ class SectionJoiner {
       if (equal < distinct_.size()) continue;
       distinct_.push_back(k);
       std::vector<std::uint32_t>& drawer = files[key(own)];
-      if (drawer.size() < kMostInDrawer) drawer.push_back(equal);
+      if (drawer.size() < kMaxInDrawer) drawer.push_back(equal);
     }
   }
 

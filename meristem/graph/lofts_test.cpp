@@ -145,14 +145,14 @@ TEST(Lofts, TheLimitOfBytesNamesTheComponent) {
   // Seen before the mesh is made, and after.
   for (const std::uint64_t limit : {1000U, 2000U}) {
     graph.limits.mesh_bytes = limit;
-    const auto faults = faults_of([&] { join_sections(sections, graph, 0, progress); });
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].path, "components.high");
+    const auto errors = errors_of([&] { join_sections(sections, graph, 0, progress); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].path, "components.high");
   }
   graph.limits.mesh_bytes = 10'000;
-  EXPECT_EQ(faults_of([&] { join_sections(sections, graph, 9'500, progress); }).size(), 1U);
+  EXPECT_EQ(errors_of([&] { join_sections(sections, graph, 9'500, progress); }).size(), 1U);
   graph.limits.mesh_bytes = 10'000;
-  EXPECT_TRUE(faults_of([&] { join_sections(sections, graph, 0, progress); }).empty());
+  EXPECT_TRUE(errors_of([&] { join_sections(sections, graph, 0, progress); }).empty());
 }
 
 }  // namespace meristem::lofts_test

@@ -19,8 +19,8 @@ const Varying* KnownMembers::find(const void* member, std::size_t size) const {
 double KnownMembers::minimum(const Varying* varying, double plain) {
   if (varying == nullptr) return std::floor(plain);
   if (varying->expression || varying->sample != nullptr || varying->keys != nullptr || !varying->way.empty()) return 0;
-  const double least = std::clamp(std::min(varying->first, varying->last), varying->min, varying->max);
-  return std::floor(least * varying->scale);
+  const double min = std::clamp(std::min(varying->first, varying->last), varying->min, varying->max);
+  return std::floor(min * varying->scale);
 }
 
 }  // namespace meristem

@@ -57,7 +57,7 @@ GivenRows read(const Value::Object& keys, Placement& placement) {
   ParameterReader reader({}, Limits{});
   const DocumentPath top;
   const GivenRows given = reader.read(placement_table(), &placement, Value(keys), DocumentPath(top, "link"));
-  EXPECT_EQ(reader.fault_count(), 0U) << reader.diagnostics()[0].text();
+  EXPECT_EQ(reader.error_count(), 0U) << reader.diagnostics()[0].text();
   return given;
 }
 
@@ -268,18 +268,18 @@ TEST(Placement, TheUpperFaceTurnsToTheTip) {
 }
 
 TEST(Placement, TheAngleVariesEvenlyWithinItsSpread) {
-  double least = 180, most = 0, sum = 0;
+  double min = 180, max = 0, sum = 0;
   const auto sites = places(pole(), everywhere({{"count", 4000}, {"angle", 60}, {"angle_spread", 20}}));
   for (const Site& site : sites) {
     const double angle = angle_between(site.frame.heading(), kUp);
-    least = std::min(least, angle);
-    most = std::max(most, angle);
+    min = std::min(min, angle);
+    max = std::max(max, angle);
     sum += angle;
   }
-  EXPECT_GE(least, 40 - 1e-3);
-  EXPECT_LE(most, 80 + 1e-3);
-  EXPECT_LT(least, 40.1);  // missed by all 4000 once in e^10
-  EXPECT_GT(most, 79.9);
+  EXPECT_GE(min, 40 - 1e-3);
+  EXPECT_LE(max, 80 + 1e-3);
+  EXPECT_LT(min, 40.1);  // missed by all 4000 once in e^10
+  EXPECT_GT(max, 79.9);
   EXPECT_NEAR(sum / 4000, 60, 5 * 40 / std::sqrt(12.0 * 4000));
 }
 
@@ -541,17 +541,17 @@ TEST(Placement, EveryKeyCanOverride) {
 }
 
 TEST(Placement, KeysThatContradictAreRejected) {
-  const auto fault = [](const Value::Object& keys) {
+  const auto error = [](const Value::Object& keys) {
     Placement result;
     ParameterReader reader({}, Limits{});
     reader.read(placement_table(), &result, keys, DocumentPath());
-    return reader.fault_count() == 1 ? reader.diagnostics()[0].path : "not one fault";
+    return reader.error_count() == 1 ? reader.diagnostics()[0].path : "not one fault";
   };
-  EXPECT_EQ(fault({{"density", 1}, {"count", 1}}), "count");
-  EXPECT_EQ(fault({{"start", 0.6}, {"end", 0.5}}), "start");
-  EXPECT_EQ(fault({{"where", "depth > 1"}}), "where");
-  EXPECT_EQ(fault({{"roll", "i"}}), "roll");
-  EXPECT_EQ(fault({{"whorl", 0}}), "whorl");
+  EXPECT_EQ(error({{"density", 1}, {"count", 1}}), "count");
+  EXPECT_EQ(error({{"start", 0.6}, {"end", 0.5}}), "start");
+  EXPECT_EQ(error({{"where", "depth > 1"}}), "where");
+  EXPECT_EQ(error({{"roll", "i"}}), "roll");
+  EXPECT_EQ(error({{"whorl", 0}}), "whorl");
 }
 
 TEST(Placement, ChildrenDroopToWhereGravityPulls) {

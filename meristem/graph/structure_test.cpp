@@ -25,10 +25,10 @@ GraphBuilder graph(int sticks, Links links, int recursion = 2) {
 }
 
 // The only fault.
-std::string fault(const GraphBuilder& builder) {
-  const std::vector<std::string> faults = builder.structure_faults();
-  EXPECT_EQ(faults.size(), 1U);
-  return faults.empty() ? "" : faults[0];
+std::string error(const GraphBuilder& builder) {
+  const std::vector<std::string> errors = builder.structure_errors();
+  EXPECT_EQ(errors.size(), 1U);
+  return errors.empty() ? "" : errors[0];
 }
 
 Structure structure_of(const GraphBuilder& builder) { return builder.sound_graph().structure; }
@@ -94,21 +94,21 @@ TEST(Structure, ManyLinksBackToOneAncestorAreOneLevel) {
 }
 
 TEST(Structure, CrossingRecursionsAreRefusedWithBothNamed) {
-  const std::string text = fault(graph(4, {{"v", "A"}, {"A", "B"}, {"B", "C"}, {"C", "A"}, {"C", "D"}, {"D", "B"}}));
+  const std::string text = error(graph(4, {{"v", "A"}, {"A", "B"}, {"B", "C"}, {"C", "A"}, {"C", "D"}, {"D", "B"}}));
   EXPECT_EQ(text,
             "links: the recursions A > B > C > A and B > C > D > B cross; "
             "expected recursions that lie apart or one within the other");
 }
 
 TEST(Structure, ACycleWithoutARecursionIsRefusedAtItsLink) {
-  EXPECT_EQ(fault(graph(2, {{"v", "A"}, {"A", "B"}, {"B", "A"}}, 1)),
+  EXPECT_EQ(error(graph(2, {{"v", "A"}, {"A", "B"}, {"B", "A"}}, 1)),
             "links[2]: the links A > B > A form an endless circle; "
             "expected a \"recursion\" of at least 2 in 'A', or no link back");
-  EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "A"}}, 1)).find("A > A form an endless circle"), std::string::npos);
+  EXPECT_NE(error(graph(1, {{"v", "A"}, {"A", "A"}}, 1)).find("A > A form an endless circle"), std::string::npos);
 }
 
 TEST(Structure, TooManyLevelsAreRefused) {
-  const std::string text = fault(graph(5, {{"v", "A"},
+  const std::string text = error(graph(5, {{"v", "A"},
                                            {"A", "B"},
                                            {"B", "C"},
                                            {"C", "D"},
@@ -122,9 +122,9 @@ TEST(Structure, TooManyLevelsAreRefused) {
 }
 
 TEST(Structure, ComponentsThatHangOnNothingAreNamed) {
-  const auto faults = graph(3, {{"v", "A"}, {"B", "C"}, {"C", "B"}}).structure_faults();
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_EQ(faults[0],
+  const auto errors = graph(3, {{"v", "A"}, {"B", "C"}, {"C", "B"}}).structure_errors();
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0],
             "components.B: 'B' cannot be reached from the camera by links; "
             "expected a link such as [\"v\", \"B\"]");
 }
@@ -132,19 +132,19 @@ TEST(Structure, ComponentsThatHangOnNothingAreNamed) {
 TEST(Structure, OneCameraIsTheRoot) {
   auto two = graph(1, {{"v", "A"}});
   two.component("w", "camera");
-  EXPECT_EQ(fault(two), "components.w: 'w' is a second camera beside 'v'; expected one camera per document");
-  EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "v"}})).find("links[1]: the link leads to the camera 'v'"),
+  EXPECT_EQ(error(two), "components.w: 'w' is a second camera beside 'v'; expected one camera per document");
+  EXPECT_NE(error(graph(1, {{"v", "A"}, {"A", "v"}})).find("links[1]: the link leads to the camera 'v'"),
             std::string::npos);
   GraphBuilder none(test_components());
   none.component("A", "stick");
-  EXPECT_EQ(fault(none), "components: the graph has no camera; expected one camera, the root of all links");
+  EXPECT_EQ(error(none), "components: the graph has no camera; expected one camera, the root of all links");
 }
 
 TEST(Structure, ThousandsOfLinksBackAreCountedInOneFault) {
   GraphBuilder builder(test_components());
   builder.component("v", "camera").component("A", "stick", {{"recursion", 2}}).link("v", "A");
   for (int k = 0; k < 5000; ++k) builder.link("A", "A");
-  EXPECT_EQ(fault(builder), "links: 5000 links lead back to an ancestor; expected at most 64 recursions");
+  EXPECT_EQ(error(builder), "links: 5000 links lead back to an ancestor; expected at most 64 recursions");
 }
 
 }  // namespace meristem::structure_test

@@ -10,7 +10,7 @@ namespace meristem::texture_parameters_test {
 
 struct Result {
   TextureParameters form;
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
 };
 
 Result read(const Value& value, const std::string& folder = {}) {
@@ -18,13 +18,13 @@ Result read(const Value& value, const std::string& folder = {}) {
   ParameterReader reader({}, Limits{}, {.folder = folder});
   const DocumentPath top;
   reader.read(texture_table(), &result.form, value, DocumentPath(top, "texture"));
-  result.faults = reader.take_diagnostics();
+  result.errors = reader.take_diagnostics();
   return result;
 }
 
-std::string fault(const Value& value) {
+std::string error(const Value& value) {
   const Result result = read(value);
-  return result.faults.empty() ? "no fault" : result.faults[0].text();
+  return result.errors.empty() ? "no fault" : result.errors[0].text();
 }
 
 TextureParameters bark_form(int pixels = 32) {
@@ -58,21 +58,21 @@ TEST(TextureParameters, ReadsEachKindAndItsShorthand) {
 }
 
 TEST(TextureParameters, RefusesTwoKindsAtOnce) {
-  EXPECT_NE(fault(Value::Object{{"bark", "smooth"}, {"leaf", "pinnate"}}), "no fault");
-  EXPECT_NE(fault(Value::Object{{"leaf", "pinnate"}, {"petal", Value::Object{}}}), "no fault");
-  EXPECT_EQ(fault(Value::Object{{"bark", "smooth"}}), "no fault");
+  EXPECT_NE(error(Value::Object{{"bark", "smooth"}, {"leaf", "pinnate"}}), "no fault");
+  EXPECT_NE(error(Value::Object{{"leaf", "pinnate"}, {"petal", Value::Object{}}}), "no fault");
+  EXPECT_EQ(error(Value::Object{{"bark", "smooth"}}), "no fault");
 }
 
 TEST(TextureParameters, RefusesUnknownStylesWithTheNearest) {
-  EXPECT_EQ(fault(Value::Object{{"bark", "furowed"}}),
+  EXPECT_EQ(error(Value::Object{{"bark", "furowed"}}),
             "texture.bark: 'furowed' is not a value of 'style'; expected one of smooth, furrowed, plated, peeling; did "
             "you mean "
             "'furrowed'?");
 }
 
 TEST(TextureParameters, RefusesPicturesThatAreNotThere) {
-  EXPECT_NE(fault(Value::Object{{"picture", "no-such-picture.png"}}).find("there is no such file"), std::string::npos);
-  EXPECT_NE(fault(Value::Object{{"picture", Value::Object{{"masked", true}}}}), "no fault");
+  EXPECT_NE(error(Value::Object{{"picture", "no-such-picture.png"}}).find("there is no such file"), std::string::npos);
+  EXPECT_NE(error(Value::Object{{"picture", Value::Object{{"masked", true}}}}), "no fault");
 }
 
 TEST(TextureParameters, WithoutAKindMakesNone) { EXPECT_EQ(make_texture({}, {}, Vec3(0.5F)), nullptr); }

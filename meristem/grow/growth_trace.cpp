@@ -58,8 +58,8 @@ Skeleton GrowthTrace::standing(int step, const Scene& scene, Progress& progress)
   return standing_after(std::clamp(step, 0, last_step()), scene, progress);
 }
 
-StepMarks GrowthTrace::marks(int step, TraceWish wish, const Progress& progress) const {
-  return marks_of(std::clamp(step, 0, last_step()), wish, progress);
+StepMarks GrowthTrace::marks(int step, TraceRequest request, const Progress& progress) const {
+  return marks_of(std::clamp(step, 0, last_step()), request, progress);
 }
 
 }  // namespace meristem

@@ -30,35 +30,35 @@ enum class TracePart : std::uint8_t {
 };
 
 /// The set of parts to record.
-class TraceWish {
+class TraceRequest {
  public:
-  constexpr TraceWish() = default;
+  constexpr TraceRequest() = default;
   /// A request for these parts.
-  constexpr TraceWish(std::initializer_list<TracePart> parts) {
+  constexpr TraceRequest(std::initializer_list<TracePart> parts) {
     for (const TracePart part : parts) bits_ |= bit(part);
   }
   /// Returns a request for all parts of the growth itself: all parts except the outcome.
-  static constexpr TraceWish all() {
-    TraceWish wish;
-    wish.bits_ = 2 * bit(TracePart::markers) - 1;
-    return wish;
+  static constexpr TraceRequest all() {
+    TraceRequest request;
+    request.bits_ = 2 * bit(TracePart::markers) - 1;
+    return request;
   }
 
   constexpr bool has(TracePart part) const { return (bits_ & bit(part)) != 0; }  ///< true if the part is requested
   constexpr bool any() const { return bits_ != 0; }                              ///< true if any part is requested
   constexpr std::uint64_t bits() const { return bits_; }  ///< equal for equal requests; 0 for the empty request
   /// Returns the request without one part.
-  constexpr TraceWish without(TracePart part) const {
-    TraceWish rest = *this;
+  constexpr TraceRequest without(TracePart part) const {
+    TraceRequest rest = *this;
     rest.bits_ &= ~bit(part);
     return rest;
   }
   /// Returns the union of both requests.
-  constexpr TraceWish operator|(TraceWish other) const {
+  constexpr TraceRequest operator|(TraceRequest other) const {
     other.bits_ |= bits_;
     return other;
   }
-  constexpr bool operator==(const TraceWish&) const = default;
+  constexpr bool operator==(const TraceRequest&) const = default;
 
  private:
   static constexpr std::uint32_t bit(TracePart part) { return 1U << static_cast<std::uint32_t>(part); }
@@ -147,15 +147,15 @@ class GrowthTrace {
   /// byte by byte, a growth limited to that number of iterations. `scene` must be the scene of the growth. Requires
   /// that steps were recorded. Throws what Grower::take_skeleton() throws.
   Skeleton standing(int step, const Scene& scene, Progress& progress) const;
-  /// Returns the marks of a step, or of the last step if `step` is larger. Only recorded marks that `wish` names are
+  /// Returns the marks of a step, or of the last step if `step` is larger. Only recorded marks that `request` names are
   /// returned. Throws InputError if they exceed the limits. Throws Cancelled.
-  StepMarks marks(int step, TraceWish wish, const Progress& progress) const;
+  StepMarks marks(int step, TraceRequest request, const Progress& progress) const;
   virtual std::uint64_t bytes() const = 0;  ///< memory in bytes
 
  private:
   // Both are only called with steps from 0 to last_step().
   virtual Skeleton standing_after(int step, const Scene& scene, Progress& progress) const = 0;
-  virtual StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const = 0;
+  virtual StepMarks marks_of(int step, TraceRequest request, const Progress& progress) const = 0;
 };
 
 }  // namespace meristem

@@ -10,9 +10,9 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostBlocks = 256;  // blocks of members per parallel loop, at most
+constexpr std::size_t kMaxBlocks = 256;  // blocks of members per parallel loop, at most
 
-std::size_t grain_of(std::size_t members) { return 1 + members / kMostBlocks; }
+std::size_t grain_of(std::size_t members) { return 1 + members / kMaxBlocks; }
 
 }  // namespace
 

@@ -16,23 +16,23 @@ namespace {
 constexpr std::size_t kShootsPerCheck = 16;
 constexpr double kLongestShoot = 1e5;  // voxels; longer shoots cast no additional shade
 
-[[noreturn]] void refuse_bytes(const char* what, std::uint64_t bytes, std::uint64_t most, const std::string& path) {
-  throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
+[[noreturn]] void refuse_bytes(const char* what, std::uint64_t bytes, std::uint64_t max, const std::string& path) {
+  throw_limit(what, static_cast<double>(bytes), max, "mesh_bytes", path);
 }
 
 }  // namespace
 
-const ShadowGrid& StandSpace::shade(const ShadowParameters& form, std::uint64_t most_bytes, std::string path) {
+const ShadowGrid& StandSpace::shade(const ShadowParameters& form, std::uint64_t max_bytes, std::string path) {
   const auto found = std::ranges::find_if(grids_, [&](const Grid& felt) { return felt.grid.form() == form; });
   if (found != grids_.end()) return found->grid;
-  return grids_.emplace_back(Grid{ShadowGrid(form), most_bytes, std::move(path)}).grid;
+  return grids_.emplace_back(Grid{ShadowGrid(form), max_bytes, std::move(path)}).grid;
 }
 
 MarkerField& StandSpace::markers(const MarkerParameters& form, RandomKey key, const Obstacles& obstacles,
-                                 RoomSeeker& seeker, std::uint64_t most_bytes, std::string path) {
+                                 RoomSeeker& seeker, std::uint64_t max_bytes, std::string path) {
   auto found = std::ranges::find_if(fields_, [&](const Field& felt) { return felt.field.form() == form; });
   if (found == fields_.end()) {
-    fields_.emplace_back(Field{MarkerField(form, key, obstacles), {}, most_bytes, std::move(path)});
+    fields_.emplace_back(Field{MarkerField(form, key, obstacles), {}, max_bytes, std::move(path)});
     found = std::prev(fields_.end());
   }
   found->seekers.push_back(&seeker);
@@ -70,9 +70,9 @@ void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
   }
   progress.check();
   try {
-    felt.grid.cast(shaders, progress, felt.most_bytes);
+    felt.grid.cast(shaders, progress, felt.max_bytes);
   } catch (const ShadowGrid::TooMuchMemory&) {
-    refuse_bytes("bytes of shade", felt.most_bytes + 1, felt.most_bytes, felt.path);
+    refuse_bytes("bytes of shade", felt.max_bytes + 1, felt.max_bytes, felt.path);
   }
 }
 
@@ -80,8 +80,8 @@ void StandSpace::take_markers(Field& felt, const Progress& progress) const {
   for (std::size_t k = 0; k < changes_.shoots_.size(); ++k) {
     if (k % kShootsPerCheck == 0) {
       progress.check();
-      if (felt.field.bytes() > felt.most_bytes)
-        refuse_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
+      if (felt.field.bytes() > felt.max_bytes)
+        refuse_bytes("bytes of markers", felt.field.bytes(), felt.max_bytes, felt.path);
     }
     if (!felt.field.reaches(changes_.shoots_[k].position)) continue;
     if (changes_.shoots_[k].is_lost) {
@@ -105,9 +105,9 @@ void StandSpace::share_out(Field& felt, Progress& progress) {
   }
   std::vector<Room> rooms(seekers.size());
   try {
-    felt.field.share_out(seekers, rooms, progress, felt.most_bytes);
+    felt.field.share_out(seekers, rooms, progress, felt.max_bytes);
   } catch (const MarkerField::TooMuchMemory&) {
-    refuse_bytes("bytes of markers in a round", felt.most_bytes + 1, felt.most_bytes, felt.path);
+    refuse_bytes("bytes of markers in a round", felt.max_bytes + 1, felt.max_bytes, felt.path);
   }
   for (std::size_t k = 0; k < felt.seekers.size(); ++k) {
     felt.seekers[k]->take_room(std::span(rooms).subspan(first[k], first[k + 1] - first[k]));

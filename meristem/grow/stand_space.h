@@ -53,14 +53,14 @@ class ShootChanges {
 class StandSpace : public Commons {
  public:
   /// Returns the shade grid for these parameters; equal parameters share one grid. References stay valid. Growth throws
-  /// InputError at the document path `path` if the grid would need more than `most_bytes`. Call it before the first
+  /// InputError at the document path `path` if the grid would need more than `max_bytes`. Call it before the first
   /// round, like markers().
-  const ShadowGrid& shade(const ShadowParameters& form, std::uint64_t most_bytes, std::string path);
+  const ShadowGrid& shade(const ShadowParameters& form, std::uint64_t max_bytes, std::string path);
   /// Returns the marker field for these parameters; equal parameters share one field. Registers `seeker`, which
   /// searches for space in the field and must outlive the growth. `key` is the random key of the markers and is used
   /// only when the field is created. `obstacles` must be the scene's.
   MarkerField& markers(const MarkerParameters& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
-                       std::uint64_t most_bytes, std::string path);
+                       std::uint64_t max_bytes, std::string path);
   /// Returns true if any plant uses shade or markers. Otherwise reports of shoots have no effect.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
@@ -76,13 +76,13 @@ class StandSpace : public Commons {
  private:
   struct Grid {
     ShadowGrid grid;
-    std::uint64_t most_bytes = 0;
+    std::uint64_t max_bytes = 0;
     std::string path;
   };
   struct Field {
     MarkerField field;
     std::vector<RoomSeeker*> seekers;
-    std::uint64_t most_bytes = 0;
+    std::uint64_t max_bytes = 0;
     std::string path;
   };
   void cast_shade(Grid& grid, const Progress& progress) const;

@@ -22,7 +22,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kOrgansPerBlock = 1024;
-constexpr double kMostLayers = 100'000;
+constexpr double kMaxLayers = 100'000;
 
 /// Returns the share of a triangle's area that lies below a height. The heights of the corners must be in ascending
 /// order.
@@ -155,9 +155,9 @@ LeafLayers empty_layers(const Span& heights, double layer_height) {
   if (!(heights.low <= heights.high)) return layers;
   const double first = std::floor(heights.low / layer_height);
   const double count = std::max(1.0, std::ceil(heights.high / layer_height) - first);
-  if (!(count <= kMostLayers)) {
+  if (!(count <= kMaxLayers)) {
     throw InputError(Diagnostic{.message = fmt::format("layers {:.6g} m high are too many", layer_height),
-                                .expected = fmt::format("at most {:.0f} layers: higher ones", kMostLayers)});
+                                .expected = fmt::format("at most {:.0f} layers: higher ones", kMaxLayers)});
   }
   layers.first = static_cast<std::int64_t>(first);
   layers.area.assign(static_cast<std::size_t>(count), 0);

@@ -103,11 +103,11 @@ TEST(LightGrowth, ShiftedCloudsOfTheRightSizeGainLightAtTheSameHeight) {
 TEST(LightGrowth, LimitedSpaceLightsMoreOfTheCrownAtTheSameHeight) {
   const Evaluation plain = evaluate(evaluation_scene_a(), {});
   const Evaluation third = evaluate(evaluation_scene_a(), {.limit = {.share = 0.36, .radius = 0.3, .k = 0.1}});
-  const Evaluation most = evaluate(evaluation_scene_a(), {.limit = {.share = 0.6, .radius = 0.3, .k = 0.1}});
+  const Evaluation max = evaluate(evaluation_scene_a(), {.limit = {.share = 0.6, .radius = 0.3, .k = 0.1}});
   EXPECT_GE(third.lit_share - plain.lit_share, 4);
-  EXPECT_GE(most.lit_share - plain.lit_share, 8);
+  EXPECT_GE(max.lit_share - plain.lit_share, 8);
   EXPECT_NEAR(third.height, plain.height, 0.02 * plain.height);
-  EXPECT_NEAR(most.height, plain.height, 0.02 * plain.height);
+  EXPECT_NEAR(max.height, plain.height, 0.02 * plain.height);
 }
 
 TEST(LightGrowth, DriftingPointsOfHeldHeightGainTheDaysLightBesideABuilding) {

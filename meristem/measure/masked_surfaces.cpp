@@ -15,15 +15,15 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kOrgansPerTask = 1024;
-constexpr int kLeastCuts = 4;  // least number of parts into which each side is cut to sample the mask
-constexpr int kMostCuts = 128;
+constexpr int kMinCuts = 4;  // least number of parts into which each side is cut to sample the mask
+constexpr int kMaxCuts = 128;
 
 /// Returns the share of a triangle in uv that is not a hole of the mask.
 double covered_share(const AlphaMask& mask, const Image& picture, const std::array<Vec2, 3>& uv) {
   const Vec2 pixels(picture.width, picture.height);
   const auto side = [&](int a, int b) { return glm::length((uv[a] - uv[b]) * pixels); };
   const float longest = std::max({side(0, 1), side(1, 2), side(2, 0)});
-  const int cuts = std::clamp(static_cast<int>(std::ceil(longest)), kLeastCuts, kMostCuts);
+  const int cuts = std::clamp(static_cast<int>(std::ceil(longest)), kMinCuts, kMaxCuts);
   int holes = 0;
   const auto ask = [&](double b, double c) {
     const auto x = static_cast<float>(b / cuts);

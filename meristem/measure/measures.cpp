@@ -190,7 +190,7 @@ class PlantMeasurer {
 
   void tell_thickening(Measures& whole) const {
     if (!(thickening_.length > 0)) return;
-    whole.thickened_below = thickening_.least_radius;
+    whole.thickened_below = thickening_.min_radius;
     whole.thickened_length = thickening_.thickened / thickening_.length;
     if (thickening_.volume > 0) whole.thickened_volume = thickening_.added / thickening_.volume;
   }

@@ -388,7 +388,7 @@ TEST(MeasureRows, NamesAreDistinctAndSnakeCase) {
 }
 
 TEST(MeasureRows, EachIsExplainedByASentenceThatStandsAlone) {
-  for (const MeasureRow& row : measure_rows()) EXPECT_EQ(sentence_fault(row.doc), "") << row.name << ": " << row.doc;
+  for (const MeasureRow& row : measure_rows()) EXPECT_EQ(sentence_error(row.doc), "") << row.name << ": " << row.doc;
 }
 
 TEST(MeasureRows, CountsAreWholeAndRatiosAreNotWhateverTheirValue) {

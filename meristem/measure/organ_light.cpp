@@ -25,8 +25,8 @@ namespace meristem {
 namespace {
 
 constexpr double kAreaOfPlace = 0.001;  // area per sample, square metres
-constexpr int kLeastPlaces = 4;
-constexpr int kMostPlaces = 64;
+constexpr int kMinPlaces = 4;
+constexpr int kMaxPlaces = 64;
 constexpr int kTrials = 16;  // most attempts to find a position that is not in a hole
 constexpr std::size_t kRaysPerBlock = 4096;
 
@@ -130,7 +130,7 @@ class Shade {
 
 int place_count(double area) {
   const double wanted = std::ceil(area / kAreaOfPlace);
-  return static_cast<int>(std::clamp(wanted, double{kLeastPlaces}, double{kMostPlaces}));
+  return static_cast<int>(std::clamp(wanted, double{kMinPlaces}, double{kMaxPlaces}));
 }
 
 /// Returns the light on organ number `index`. Organs of one prototype are sampled at different positions.
@@ -153,7 +153,7 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
 struct BlockLight::Parts {
   Parts(const MeshScene& meshes, const Scene& scene, Progress& progress) : shade(meshes, scene, progress) {
     const Light& light = scene.light;
-    const std::size_t rays = kLeastPlaces * (light.sun.size() + light.sky.size() + light.lamps.size());
+    const std::size_t rays = kMinPlaces * (light.sun.size() + light.sky.size() + light.lamps.size());
     grain = std::max<std::size_t>(1, kRaysPerBlock / std::max<std::size_t>(rays, 1));
   }
 

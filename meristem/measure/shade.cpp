@@ -219,7 +219,7 @@ ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyD
                         .of_point = std::vector<double>(points, 1),
                         .of_point_without_plants = std::vector<double>(points, 1)};
   if (points == 0 || moments == 0) return result;
-  if (points > kMostShadeRays / moments) throw std::invalid_argument("too many rays for the shade of a surface");
+  if (points > kMaxShadeRays / moments) throw std::invalid_argument("too many rays for the shade of a surface");
 
   // Trace rays in blocks of points by positions.
   const std::size_t point_blocks = (points + kPointsPerBlock - 1) / kPointsPerBlock;

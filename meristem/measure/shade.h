@@ -79,14 +79,14 @@ struct ShadeOfSurface {
 };
 
 /// Maximum number of rays of one call: points times positions of the sun.
-inline constexpr std::uint64_t kMostShadeRays = 200'000'000;
+inline constexpr std::uint64_t kMaxShadeRays = 200'000'000;
 
 /// Computes the shade on a surface. Rays go from every point to every position of the sun above the horizon. If the
 /// altitude is not above 0, the whole surface is in shade. Obstacles and all visible parts of `plants` stop rays. The
 /// holes of masked textures let rays pass, so these textures must be painted. `plants` must be the result of
 /// make_mesh_scene. Takes about a microsecond per ray. Results are equal on any number of threads. Begins a stage of
 /// `progress`, which counts rays. Throws Cancelled, MachineError (memory), and std::invalid_argument for more than
-/// kMostShadeRays rays.
+/// kMaxShadeRays rays.
 ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyDirection>& sun, const MeshScene& plants,
                              const Obstacles& obstacles, Progress& progress);
 

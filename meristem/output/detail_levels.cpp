@@ -18,21 +18,21 @@ namespace {
 
 constexpr int kPixelsOfTheWhole = 256;
 constexpr int kFewestPixels = 16;
-constexpr int kMostDirections = 26;
+constexpr int kMaxDirections = 26;
 constexpr int kFewestDirections = 4;
-constexpr double kMostDrawn = 3e7;  // maximum number of triangles times directions: a second of drawing
+constexpr double kMaxDrawn = 3e7;  // maximum number of triangles times directions: a second of drawing
 
 /// Returns the number of directions from which two scenes are compared that have `triangles` together.
 int directions_for(std::uint64_t triangles) {
-  const double directions = kMostDrawn / std::max(1.0, static_cast<double>(triangles));
-  return std::clamp(static_cast<int>(std::min(directions, 1e3)), kFewestDirections, kMostDirections);
+  const double directions = kMaxDrawn / std::max(1.0, static_cast<double>(triangles));
+  return std::clamp(static_cast<int>(std::min(directions, 1e3)), kFewestDirections, kMaxDirections);
 }
 
 }  // namespace
 
 int pixels_of_level(int number) { return std::max(kPixelsOfTheWhole >> number, kFewestPixels); }
 
-std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
+std::string error_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
                            Progress& progress) {
   const std::uint64_t triangles = level.triangle_count();
   if (static_cast<double>(triangles) > kMostOfTheLevelBefore * static_cast<double>(before)) {
@@ -40,8 +40,8 @@ std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const M
   }
   const OutlineOptions outlines{.directions = directions_for(whole.triangle_count() + triangles),
                                 .size = pixels_of_level(number)};
-  const double shared = outline_overlap(whole, level, outlines, progress).least();
-  const double wanted = whole.triangle_count() <= kSmallPlant ? kLeastOutlineShared : kLeastCrownShared;
+  const double shared = outline_overlap(whole, level, outlines, progress).min();
+  const double wanted = whole.triangle_count() <= kSmallPlant ? kMinOutlineShared : kMinCrownShared;
   if (shared < wanted) {
     return fmt::format(
         "with {} triangles it would share {:.0f} % of the plant's outline from some side; {:.0f} % are wanted",
@@ -56,7 +56,7 @@ std::optional<WorthlessLevel> make_levels(const Document& document, const Plant&
   std::uint64_t before = whole.triangle_count();
   for (int number = 1; number <= count; ++number) {
     MeshScene level = mesh_detail(document, plant, {.level = number}, progress);
-    std::string reason = fault_of_level(whole, before, level, number, progress);
+    std::string reason = error_of_level(whole, before, level, number, progress);
     if (!reason.empty()) return WorthlessLevel{number, std::move(reason)};
     before = level.triangle_count();
     take(number, std::move(level));

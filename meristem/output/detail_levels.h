@@ -18,9 +18,9 @@ inline constexpr double kMostOfTheLevelBefore = 0.35;
 /// Minimum share of its outline that a level must have in common with the whole plant, from each of up to 26 sides. For
 /// plants of at most kSmallPlant triangles. Larger plants are thinned out, and gaps between leaves as small as a pixel
 /// change their outline.
-inline constexpr double kLeastOutlineShared = 0.9;
-/// Like kLeastOutlineShared, for plants of more than kSmallPlant triangles.
-inline constexpr double kLeastCrownShared = 0.8;
+inline constexpr double kMinOutlineShared = 0.9;
+/// Like kMinOutlineShared, for plants of more than kSmallPlant triangles.
+inline constexpr double kMinCrownShared = 0.8;
 
 /// Returns the maximum height of a plant that is shown as level `number`, in pixels: half of the level before, 256 for
 /// level 0.
@@ -30,7 +30,7 @@ int pixels_of_level(int number);
 /// plant's outline. Returns an empty text for a level that is worth a file. `number` is the number of the level, and
 /// `before` the number of triangles of the level before. Outlines are drawn from fewer than 26 sides, but at least
 /// four, if 26 would take more than a second. If a level is not worth a file, no coarser level is.
-std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
+std::string error_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
                            Progress& progress);
 
 /// A level of detail that is not worth a file, and why.

@@ -10,21 +10,21 @@
 namespace meristem::detail_levels_test {
 
 // tests/levels checks the levels of all shipped models.
-TEST(FaultOfLevel, IsTooManyTrianglesOrAnotherOutline) {
+TEST(ErrorOfLevel, IsTooManyTrianglesOrAnotherOutline) {
   const DetailedModel model("low-poly-birch");
   const MeshScene level = model.level(1);
-  EXPECT_EQ(model.fault_of(model.grown.meshes.triangle_count(), level, 1), "");
-  EXPECT_NE(model.fault_of(2 * level.triangle_count(), level, 1), "");
+  EXPECT_EQ(model.error_of(model.grown.meshes.triangle_count(), level, 1), "");
+  EXPECT_NE(model.error_of(2 * level.triangle_count(), level, 1), "");
   MeshScene bare = level;
   bare.meshes.resize(1);
-  EXPECT_NE(model.fault_of(model.grown.meshes.triangle_count(), bare, 1).find("outline"), std::string::npos);
+  EXPECT_NE(model.error_of(model.grown.meshes.triangle_count(), bare, 1).find("outline"), std::string::npos);
 }
 
-TEST(FaultOfLevel, ALevelOfALargePlantWithoutItsLeavesIsNone) {
+TEST(ErrorOfLevel, ALevelOfALargePlantWithoutItsLeavesIsNone) {
   const DetailedModel model("bush");
   MeshScene bare = model.level(1);
   std::erase_if(bare.meshes, [](const MeshInstances& part) { return part.component == "leaf"; });
-  EXPECT_NE(model.fault_of(model.grown.meshes.triangle_count(), bare, 1).find("80 % are wanted"), std::string::npos);
+  EXPECT_NE(model.error_of(model.grown.meshes.triangle_count(), bare, 1).find("80 % are wanted"), std::string::npos);
 }
 
 TEST(MakeLevels, GivesAsManyAsAreAskedForWhereAllAreWorthAFile) {

@@ -118,7 +118,7 @@ constexpr Format kFormats[] = {
          "the attraction points of trees that colonize space as a table, one row per point: left, used up or removed",
      .write = [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
                  Progress& progress) { write_points_csv(grown.traces, path, progress); },
-     .wish = {TracePart::points}},
+     .request = {TracePart::points}},
     {.ending = ".mtg",
      .doc = "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
      .write =
@@ -178,10 +178,10 @@ GrownPart needed_part(std::span<const Format* const> formats) {
   return part;
 }
 
-TraceWish needed_wish(std::span<const Format* const> formats) {
-  TraceWish wish;
-  for (const Format* format : formats) wish = wish | format->wish;
-  return wish;
+TraceRequest needed_request(std::span<const Format* const> formats) {
+  TraceRequest request;
+  for (const Format* format : formats) request = request | format->request;
+  return request;
 }
 
 const Format& format_of(const std::string& path) {

@@ -38,7 +38,7 @@ struct Format {
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
   bool is_whole = false;     ///< the file contains only the whole plant, without obstacles or levels of detail
   bool can_animate = false;  ///< the format can store plants that move (moving_file.h)
-  TraceWish wish{};          ///< the parts of growth that must be recorded for the format
+  TraceRequest request{};    ///< the parts of growth that must be recorded for the format
 
   bool has_meshes() const {
     return needs >= GrownPart::meshes && !is_whole;
@@ -60,7 +60,7 @@ std::span<const Format> formats();
 /// Returns the part of a grown document that files of all these formats need.
 GrownPart needed_part(std::span<const Format* const> formats);
 /// Returns the parts of growth that must be recorded for files of all these formats.
-TraceWish needed_wish(std::span<const Format* const> formats);
+TraceRequest needed_request(std::span<const Format* const> formats);
 
 /// Returns the format of a path by its ending. The longest matching ending counts, and capital letters are equal to
 /// small ones. "-" is standard output in the default format. Throws InputError with the known endings and the nearest

@@ -40,18 +40,18 @@ TEST(Formats, LevelsOfDetailStandBesideTheFile) {
 TEST(Formats, FilesNeedWhatOneOfThemNeeds) {
   const std::vector<const Format*> tables{&format_of("a.csv"), &format_of("a.points.csv")};
   EXPECT_EQ(needed_part(tables), GrownPart::plant);
-  EXPECT_TRUE(needed_wish(tables).has(TracePart::points));
+  EXPECT_TRUE(needed_request(tables).has(TracePart::points));
   const std::vector<const Format*> meshes{&format_of("a.csv"), &format_of("a.glb")};
   EXPECT_EQ(needed_part(meshes), GrownPart::textures);
-  EXPECT_FALSE(needed_wish(meshes).any());
+  EXPECT_FALSE(needed_request(meshes).any());
   EXPECT_EQ(needed_part({}), GrownPart::plant);
 }
 
 TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
-  const Diagnostic fault = refusal_of("oak.gbl");
-  EXPECT_EQ(fault.message, "'.gbl' is not a format that can be written");
-  for (const Format& format : formats()) EXPECT_NE(fault.expected.find(format.ending), std::string::npos);
-  EXPECT_EQ(fault.nearest, ".glb");
+  const Diagnostic error = refusal_of("oak.gbl");
+  EXPECT_EQ(error.message, "'.gbl' is not a format that can be written");
+  for (const Format& format : formats()) EXPECT_NE(error.expected.find(format.ending), std::string::npos);
+  EXPECT_EQ(error.nearest, ".glb");
   EXPECT_EQ(refusal_of("oak.skeleton.pyl").nearest, ".skeleton.ply");
   EXPECT_EQ(refusal_of("my.oak.ojb").nearest, ".obj");
   EXPECT_EQ(refusal_of("oak.jpeg").nearest, "");

@@ -108,8 +108,8 @@ struct Subdivision {
 
   // Adds a node between two old ones; `share` is the weight of the second.
   NodeIndex add_between(NodeIndex parent, Vec3 position, NodeIndex low, NodeIndex high, float share) {
-    const auto [least, most] = std::minmax(old.birth[low], old.birth[high]);
-    const float birth = std::clamp(old.birth[low] + share * (old.birth[high] - old.birth[low]), least, most);
+    const auto [min, max] = std::minmax(old.birth[low], old.birth[high]);
+    const float birth = std::clamp(old.birth[low] + share * (old.birth[high] - old.birth[low]), min, max);
     const NodeIndex node = result.add_node(parent, position, birth);
     // A lateral starts with the radius of its own first node.
     const bool is_start = old.axis[low] != old.axis[high];

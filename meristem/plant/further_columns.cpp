@@ -10,8 +10,8 @@ float inner_value(const Skeleton& skeleton, std::string_view column, NodeIndex b
   const std::vector<float>& values = skeleton.extra.find(column)->second;
   const auto metamer = skeleton.extra.find(kMetamerColumn);
   if (metamer != skeleton.extra.end() && metamer->second[end] >= 1) return values[end];
-  const auto [least, most] = std::minmax(values[begin], values[end]);
-  return std::clamp(values[begin] + share * (values[end] - values[begin]), least, most);
+  const auto [min, max] = std::minmax(values[begin], values[end]);
+  return std::clamp(values[begin] + share * (values[end] - values[begin]), min, max);
 }
 
 }  // namespace meristem

@@ -88,9 +88,9 @@ TEST(GrowthInTime, ABranchWithersBackToItsBaseBeforeItFalls) {
   const GrowthSpans spans(whole);
   // The last growth ends at 5, the fall is at 6.5, so withering begins at 5.75.
   const auto reach = [&](double step) {
-    float most = 0;
-    for (const Vec3 position : standing_at(whole, spans, step, 2).skeleton.position) most = std::max(most, position.x);
-    return most;
+    float max = 0;
+    for (const Vec3 position : standing_at(whole, spans, step, 2).skeleton.position) max = std::max(max, position.x);
+    return max;
   };
   EXPECT_FLOAT_EQ(reach(5.75), 2);
   EXPECT_NEAR(reach(6.125), 1, 1e-5) << "half way back";

@@ -102,24 +102,24 @@ TEST(Skeleton, HashChangesWithEveryColumn) {
 
 TEST(CheckSkeleton, NamesEachKindOfFault) {
   EXPECT_TRUE(check_skeleton(two_plants()));
-  const auto fault = [](auto change) {
+  const auto error = [](auto change) {
     Skeleton skeleton = two_plants();
     change(skeleton);
     const testing::AssertionResult result = check_skeleton(skeleton);
     return result ? std::string("none") : std::string(result.message());
   };
-  EXPECT_EQ(fault([](Skeleton& s) { s.birth.pop_back(); }), "column 'birth' has 6 entries for 7 nodes");
-  EXPECT_EQ(fault([](Skeleton& s) { s.position[2].x = NAN; }), "node 2 has a number that is not finite");
-  EXPECT_EQ(fault([](Skeleton& s) { s.radius[4] = 0; }), "node 4 has radius 0");
-  EXPECT_EQ(fault([](Skeleton& s) { s.radius[4] = 1; }), "node 4 has radius 1, above its parent's 0.25");
-  EXPECT_EQ(fault([](Skeleton& s) { s.parent[3] = 5; }), "node 3 comes before its parent 5");
-  EXPECT_EQ(fault([](Skeleton& s) { s.birth[4] = 1; }), "node 4 is born at 1, before its parent at 2");
-  EXPECT_EQ(fault([](Skeleton& s) { s.position[5] = s.position[3]; }), "node 5 is 0 m from its parent");
-  EXPECT_EQ(fault([](Skeleton& s) { s.axis[6] = 3; }), "node 6 begins axis 3 where 2 is next");
-  EXPECT_EQ(fault([](Skeleton& s) { s.axis[5] = 0; }),
+  EXPECT_EQ(error([](Skeleton& s) { s.birth.pop_back(); }), "column 'birth' has 6 entries for 7 nodes");
+  EXPECT_EQ(error([](Skeleton& s) { s.position[2].x = NAN; }), "node 2 has a number that is not finite");
+  EXPECT_EQ(error([](Skeleton& s) { s.radius[4] = 0; }), "node 4 has radius 0");
+  EXPECT_EQ(error([](Skeleton& s) { s.radius[4] = 1; }), "node 4 has radius 1, above its parent's 0.25");
+  EXPECT_EQ(error([](Skeleton& s) { s.parent[3] = 5; }), "node 3 comes before its parent 5");
+  EXPECT_EQ(error([](Skeleton& s) { s.birth[4] = 1; }), "node 4 is born at 1, before its parent at 2");
+  EXPECT_EQ(error([](Skeleton& s) { s.position[5] = s.position[3]; }), "node 5 is 0 m from its parent");
+  EXPECT_EQ(error([](Skeleton& s) { s.axis[6] = 3; }), "node 6 begins axis 3 where 2 is next");
+  EXPECT_EQ(error([](Skeleton& s) { s.axis[5] = 0; }),
             "node 5 is on axis 0, but its parent is not that axis's last node");
-  EXPECT_EQ(fault([](Skeleton& s) { s.order[5] = 2; }), "node 5 has another order than its axis");
-  EXPECT_EQ(fault([](Skeleton& s) { s.order[3] = 2; }), "node 3 begins an axis of order 2 where 1 is due");
+  EXPECT_EQ(error([](Skeleton& s) { s.order[5] = 2; }), "node 5 has another order than its axis");
+  EXPECT_EQ(error([](Skeleton& s) { s.order[3] = 2; }), "node 3 begins an axis of order 2 where 1 is due");
 }
 
 TEST(Plant, CountsTheNodesOfAllStems) {

@@ -112,8 +112,8 @@ ImplicitBody body_of(const BodyTask& task, int resolution) {
   const Vec3 origin = task.undeformed_origin();
   if (!task.is_crown) {
     const std::vector<AxisIndex> axes = task.axes();
-    const double least_radius = find_thickening(skeleton, axes, surface).least_radius;
-    return make_stem_body(skeleton, axes, surface, least_radius, origin);
+    const double min_radius = find_thickening(skeleton, axes, surface).min_radius;
+    return make_stem_body(skeleton, axes, surface, min_radius, origin);
   }
   // Each part has balls of its own scale.
   ImplicitBody body;
@@ -236,7 +236,7 @@ void add_thickening(const Plant& plant, Thickening& whole) {
   for (const BodyTask& task : tasks_of(plant)) {
     if (task.is_crown) continue;
     const Thickening thickening = find_thickening(task.stem->skeleton_of_surface(), task.axes(), task.surface());
-    whole.least_radius = std::max(whole.least_radius, thickening.least_radius);
+    whole.min_radius = std::max(whole.min_radius, thickening.min_radius);
     whole.length += thickening.length;
     whole.thickened += thickening.thickened;
     whole.volume += thickening.volume;

@@ -32,7 +32,7 @@ MeshScene scene_of(const Plant& plant, const Limits& limits = {}) {
 
 Surface blended(int resolution = 40) { return {.style = Surface::Style::blend, .resolution = resolution}; }
 
-std::string fault_path(const Plant& plant, const Limits& limits) {
+std::string error_path(const Plant& plant, const Limits& limits) {
   try {
     scene_of(plant, limits);
   } catch (const InputError& error) {
@@ -149,10 +149,10 @@ TEST(BodyMeshes, HaveTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(BodyMeshes, LimitsNameTheResolution) {
   Plant plant = fork_in(blended(200));
-  EXPECT_EQ(fault_path(plant, {.triangles = 5000}), "components.tree.surface.resolution");
-  EXPECT_EQ(fault_path(plant, {.mesh_bytes = 500'000}), "components.tree.surface.resolution");
+  EXPECT_EQ(error_path(plant, {.triangles = 5000}), "components.tree.surface.resolution");
+  EXPECT_EQ(error_path(plant, {.mesh_bytes = 500'000}), "components.tree.surface.resolution");
   plant.stems[0].parts[0].surface = {.crown = CrownBody{.resolution = 200}};
-  EXPECT_EQ(fault_path(plant, {.triangles = 20'000}), "components.tree.surface.crown.resolution");
+  EXPECT_EQ(error_path(plant, {.triangles = 20'000}), "components.tree.surface.crown.resolution");
 }
 
 TEST(BodyMeshes, StopWhenAsked) {

@@ -10,7 +10,7 @@ namespace meristem {
 inline constexpr int kCoarsestDetail = 8;
 
 /// Maximum number of upright cards (crossed pictures of a plant) that can replace a plant after its last level.
-inline constexpr int kMostCards = 16;
+inline constexpr int kMaxCards = 16;
 
 /// Counts the geometry that meshing has processed, whether or not it is part of the result. Any thread may count.
 struct MeshWork {

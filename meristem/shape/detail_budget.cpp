@@ -63,8 +63,8 @@ void divide(std::vector<Part>& parts, double wanted, int level) {
   double area = 0;
   for (const Part& part : parts) area += part.area;
   for (const Part& part : parts) {
-    const double most = area > 0 ? wanted * part.area / area : wanted;
-    const double kept = std::min(part.triangles, most);
+    const double max = area > 0 ? wanted * part.area / area : wanted;
+    const double kept = std::min(part.triangles, max);
     // A level shows nothing that the level before does not show.
     double& share = (*part.shares)[static_cast<std::size_t>(level)];
     share =

@@ -19,15 +19,15 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastError = 0.03F;  // in radii; errors are doubled from this value on
-constexpr float kMostError = 0.5F;    // in radii; larger errors would remove bends that are longer than the thickness
-                                      // of the branch
+constexpr float kMinError = 0.03F;  // in radii; errors are doubled from this value on
+constexpr float kMaxError = 0.5F;   // in radii; larger errors would remove bends that are longer than the thickness
+                                    // of the branch
 constexpr std::uint32_t kLongestQuickRun = 100;  // maximum number of nodes per ring in a quick detail
-constexpr float kMostQuickError = 4;             // in radii
+constexpr float kMaxQuickError = 4;              // in radii
 constexpr std::size_t kFewOrgans = 16;  // number of organs of a component that are always shown, because they may be a
                                         // tree's fruits
 constexpr double kTrianglesOfFew = 8;   // kept triangles per always shown organ, in a quick detail
-constexpr float kMostEnlarged = 3;      // maximum enlargement; more keeps crowns full at a larger distance, but leaves
+constexpr float kMaxEnlarged = 3;       // maximum enlargement; more keeps crowns full at a larger distance, but leaves
                                         // look too large
 constexpr float kLargest = 0.15F;       // maximum size of an enlarged leaf as a share of the plant's size; larger ones
                                         // look like sheets
@@ -102,21 +102,21 @@ std::vector<std::uint32_t> fewest_triangles(const Skeleton& skeleton, const Axis
 
 /// The limit of triangles for coarse tubes.
 struct CoarseTubes {
-  double share = 1;               // of all triangles
-  std::uint64_t wanted = 0;       // number of triangles
-  float most_error = kMostError;  // in radii
+  double share = 1;             // of all triangles
+  std::uint64_t wanted = 0;     // number of triangles
+  float max_error = kMaxError;  // in radii
 };
 
 /// Reduces sides, then rings, then axes, until a plan of `worn` has the wanted triangles.
 TubePlan plan_coarse_tubes(const Skeleton& skeleton, AxisWears worn, const CoarseTubes& coarse,
                            const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed) {
-  const auto& [share, wanted, most_error] = coarse;
+  const auto& [share, wanted, max_error] = coarse;
   for (TubeWear& wear : worn.wears) {
     const double sides = wear.surface.sides * std::sqrt(share);
     wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
   }
   TubePlan plan(skeleton, worn.wears, worn.of_axis, mesh_of_axis, deformed);
-  for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= most_error; error *= 2) {
+  for (float error = 2 * kMinError; triangle_count(plan) > wanted && error <= max_error; error *= 2) {
     for (TubeWear& wear : worn.wears) wear.surface.error = std::max(wear.surface.error, error);
     plan = TubePlan(skeleton, worn.wears, worn.of_axis, mesh_of_axis, deformed);
   }
@@ -284,7 +284,7 @@ float enlargement(const Plant& plant, const std::vector<std::shared_ptr<const Me
   }
   if (!(area > 0)) return 1;
   const double lost = before / area * static_cast<double>(choice.members->size()) / static_cast<double>(choice.shown);
-  return std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMostEnlarged);
+  return std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMaxEnlarged);
 }
 
 OrganDetail plan_organs_quickly(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
@@ -335,7 +335,7 @@ TubePlan plan_quick_tubes(const Skeleton& skeleton, const std::vector<TubeWear>&
   const std::vector<std::uint32_t> fewest = fewest_triangles(skeleton, worn);
   worn = without_thin_axes(skeleton, fewest.size(), std::move(worn), triangles,
                            [&](AxisIndex axis) { return fewest[axis]; });
-  const CoarseTubes coarse{triangles / all, static_cast<std::uint64_t>(triangles), kMostQuickError};
+  const CoarseTubes coarse{triangles / all, static_cast<std::uint64_t>(triangles), kMaxQuickError};
   return plan_coarse_tubes(skeleton, std::move(worn), coarse, mesh_of_axis, deformed);
 }
 
@@ -372,7 +372,7 @@ OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBu
     const OrganSums sums = sums_of(plant, members, organs.meshes);
     if (!(sums.area > 0)) continue;
     const double lost = sums.area_before * all / (sums.area * static_cast<double>(shown));
-    const float scale = std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMostEnlarged);
+    const float scale = std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMaxEnlarged);
     for (const std::uint32_t organ : members) {
       const std::uint32_t prototype = plant.organs[organ].prototype;
       organs.scale[prototype] = std::min(scale, std::max(1.0F, kLargest * size / largest[prototype]));

@@ -129,7 +129,7 @@ class PlantCounter {
   void count_each(const Limits& limits, Progress& progress) {
     own_.resize(plants_.size());
     totals_.resize(plants_.size());
-    std::vector<std::exception_ptr> faults(plants_.size());
+    std::vector<std::exception_ptr> errors(plants_.size());
     progress.begin("counting triangles", plants_.size());
     parallel_for(plants_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -137,13 +137,13 @@ class PlantCounter {
         try {
           own_[k] = sums_with_copies(*plants_[k], limits, silent);
         } catch (const InputError&) {
-          faults[k] = std::current_exception();
+          errors[k] = std::current_exception();
         }
         progress.advance();
       }
     });
-    for (const std::exception_ptr& fault : faults) {
-      if (fault) std::rethrow_exception(fault);
+    for (const std::exception_ptr& error : errors) {
+      if (error) std::rethrow_exception(error);
     }
   }
 

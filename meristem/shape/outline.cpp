@@ -92,7 +92,7 @@ double mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
-double OutlineOverlap::least() const {
+double OutlineOverlap::min() const {
   return of_direction.empty() ? 1 : *std::min_element(of_direction.begin(), of_direction.end());
 }
 

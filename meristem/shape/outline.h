@@ -26,7 +26,7 @@ struct OutlineOverlap {
   std::vector<double> of_direction;  ///< 0 to 1: area that both cover divided by area that either covers
   std::vector<double> growth;        ///< area that the level covers divided by area that the whole covers
 
-  double least() const;        ///< smallest overlap of all directions
+  double min() const;          ///< smallest overlap of all directions
   double mean() const;         ///< mean overlap of all directions
   double mean_growth() const;  ///< mean growth of all directions
 };

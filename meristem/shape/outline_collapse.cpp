@@ -38,17 +38,17 @@ constexpr int kSize = 96;              // in pixels
 constexpr double kGroupWeight = 0.15;  // weight of a group's outline; other groups may hide much of it
 constexpr double kShapeWeight = 0.08;  // weight of the volume between old and new faces; more keeps bodies rounder, but
                                        // outlines suffer
-constexpr double kLeastFaceCosine = 0.2;  // minimum cosine of the angle that a face may turn at once
+constexpr double kMinFaceCosine = 0.2;    // minimum cosine of the angle that a face may turn at once
 constexpr std::size_t kTriedTargets = 5;  // number of a point's neighbours that are tried, the nearest to its planes
 constexpr std::size_t kFewFaces = 8;      // maximum number of faces that are removed at once
 constexpr int kFitRounds = 4;
 constexpr std::array kLastReaches = {0.2, 0.08, 0.2, 0.08, 0.2, 0.08};  // share of edges: maximum moves of points at
                                                                         // the end
-constexpr double kLeastViewWeight = 0.5;  // minimum weight of a view that fits well; lower values harm the directions
-                                          // between views
-constexpr double kMostViewWeight = 2;
-constexpr double kStage = 0.6;       // share of the faces that remain after a stage; points also move between stages
-constexpr double kLeastGain = 1e-7;  // share of the whole outline: minimum gain that justifies moving a point
+constexpr double kMinViewWeight = 0.5;  // minimum weight of a view that fits well; lower values harm the directions
+                                        // between views
+constexpr double kMaxViewWeight = 2;
+constexpr double kStage = 0.6;     // share of the faces that remain after a stage; points also move between stages
+constexpr double kMinGain = 1e-7;  // share of the whole outline: minimum gain that justifies moving a point
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr double kInfiniteCost = std::numeric_limits<double>::infinity();
 
@@ -353,7 +353,7 @@ class OutlineCollapse::State {
       if (!(square > 1e-6 * longest_edge(face, point, target))) return false;
       // Small turns add up: a face that finally looks the opposite way is inside out.
       if (!(glm::dot(first_[f], after) > 0)) return false;
-      return glm::dot(before, after) > kLeastFaceCosine * glm::length(before) * square;
+      return glm::dot(before, after) > kMinFaceCosine * glm::length(before) * square;
     });
   }
 
@@ -549,7 +549,7 @@ class OutlineCollapse::State {
     }
     if (!(mean > 0)) return;
     for (std::size_t view = 0; view < views_.size(); ++view) {
-      pixel_share_[view] = even[view] * std::clamp(wrong[view] / mean, kLeastViewWeight, kMostViewWeight);
+      pixel_share_[view] = even[view] * std::clamp(wrong[view] / mean, kMinViewWeight, kMaxViewWeight);
     }
   }
 
@@ -565,7 +565,7 @@ class OutlineCollapse::State {
     const Vec3 aside = any_perpendicular(normal);
     const Vec3 across = glm::cross(normal, aside);
     const double volume = volume_of(quadrics_[point], home);
-    double best = -kLeastGain;
+    double best = -kMinGain;
     Vec3 target = home;
     for (const Vec3 way : {normal, -normal, aside, -aside, across, -across, kUp, -kUp}) {
       const Vec3 there = glm::clamp(home + step * way, box_.low, box_.high);

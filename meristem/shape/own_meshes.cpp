@@ -67,13 +67,13 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDet
 }
 
 /// The tubes of one stem. Parts that look alike share a mesh. Tubes are planned unless they are in the cache.
-struct StemDress {
+struct StemSurface {
   StemLooks looks;
   CacheKey key;
   std::optional<TubePlan> plan;
   std::shared_ptr<const StemTubes> tubes;
 
-  explicit StemDress(const Stem& stem) : looks(stem) {}
+  explicit StemSurface(const Stem& stem) : looks(stem) {}
 
   const std::vector<TubeSize>& sizes() const { return tubes != nullptr ? tubes->sizes : plan->sizes(); }
 };
@@ -119,34 +119,35 @@ std::vector<double> shares_of_stems(const Plant& plant, double share, bool is_qu
 }
 
 /// Returns null for stems that are left out.
-std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double share, bool is_quick, CacheRun& results) {
-  std::vector<std::unique_ptr<StemDress>> dresses(plant.stems.size());
+std::vector<std::unique_ptr<StemSurface>> plan_stems(const Plant& plant, double share, bool is_quick,
+                                                     CacheRun& results) {
+  std::vector<std::unique_ptr<StemSurface>> surfaces(plant.stems.size());
   const std::vector<double> shares = shares_of_stems(plant, share, is_quick);
-  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(surfaces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (shares[i] == 0) continue;
-      dresses[i] = std::make_unique<StemDress>(plant.stems[i]);
-      dresses[i]->key =
-          results.key([&] { return key_of(plant.stems[i], dresses[i]->looks, plant.materials, shares[i], is_quick); });
+      surfaces[i] = std::make_unique<StemSurface>(plant.stems[i]);
+      surfaces[i]->key =
+          results.key([&] { return key_of(plant.stems[i], surfaces[i]->looks, plant.materials, shares[i], is_quick); });
     }
   });
-  for (const std::unique_ptr<StemDress>& dress : dresses) {
-    if (dress == nullptr) continue;
-    dress->tubes = results.find<const StemTubes>(dress->key);
-    results.count<StemTubes>(dress->tubes != nullptr);
+  for (const std::unique_ptr<StemSurface>& surface : surfaces) {
+    if (surface == nullptr) continue;
+    surface->tubes = results.find<const StemTubes>(surface->key);
+    results.count<StemTubes>(surface->tubes != nullptr);
   }
-  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(surfaces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (dresses[i] == nullptr || dresses[i]->tubes != nullptr) continue;
-      dresses[i]->plan = plan_stem(plant.stems[i], dresses[i]->looks, shares[i], is_quick);
+      if (surfaces[i] == nullptr || surfaces[i]->tubes != nullptr) continue;
+      surfaces[i]->plan = plan_stem(plant.stems[i], surfaces[i]->looks, shares[i], is_quick);
     }
   });
-  return dresses;
+  return surfaces;
 }
 
 /// The planned stems and organs of a plant.
 struct ScenePlan {
-  std::vector<std::unique_ptr<StemDress>> stems;
+  std::vector<std::unique_ptr<StemSurface>> stems;
   OrganDetail organs;
   std::vector<std::size_t> organ_counts;  // number of organs of each prototype
 
@@ -165,8 +166,8 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, 
                   const Limits& limits) {
   SceneTally tally;
   for (const MeshInstances& body : bodies) tally.add_mesh(body.component, *body.mesh);
-  for (const std::unique_ptr<StemDress>& dress : scene.stems) {
-    if (dress != nullptr) tally.add_tubes(dress->looks, dress->sizes());
+  for (const std::unique_ptr<StemSurface>& surface : scene.stems) {
+    if (surface != nullptr) tally.add_tubes(surface->looks, surface->sizes());
   }
   for (std::size_t i = 0; i < plant.prototypes.size(); ++i) {
     tally.add_organs(plant.prototypes[i].component, *scene.organs.meshes[i], scene.organ_counts[i]);
@@ -195,15 +196,15 @@ void strip_for_rays(Mesh& mesh, const Material& material) {
   if (material.texture == nullptr || !material.texture->masked) std::vector<Vec2>().swap(mesh.uvs);
 }
 
-std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::vector<Material>& materials,
+std::shared_ptr<const StemTubes> make_stem(const StemSurface& surface, const std::vector<Material>& materials,
                                            const OwnMeshOptions& options, Progress& progress) {
   auto tubes = std::make_shared<StemTubes>();
-  tubes->sizes = dress.plan->sizes();
-  tubes->tubes = tubes_of(*dress.plan);
-  std::vector<Mesh> meshes = make_stem_tubes(*dress.plan, dress.looks, progress);
+  tubes->sizes = surface.plan->sizes();
+  tubes->tubes = tubes_of(*surface.plan);
+  std::vector<Mesh> meshes = make_stem_tubes(*surface.plan, surface.looks, progress);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     if (options.detail.work != nullptr) options.detail.work->triangles += meshes[k].triangle_count();
-    const Material& material = materials[dress.looks.first_part[k]->material];
+    const Material& material = materials[surface.looks.first_part[k]->material];
     if (options.use == MeshUse::rays) {
       strip_for_rays(meshes[k], material);
     } else if (needs_tangents(material)) {
@@ -215,35 +216,35 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
 }
 
 /// Returns the tubes of each stem.
-std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<std::unique_ptr<StemDress>>& dresses,
-                                        const OwnMeshOptions& options, CacheRun& results, Progress& progress) {
-  std::vector<std::uint8_t> is_new(dresses.size());
-  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
+std::vector<MeshInstances> surface_meshes(const Plant& plant, const std::vector<std::unique_ptr<StemSurface>>& surfaces,
+                                          const OwnMeshOptions& options, CacheRun& results, Progress& progress) {
+  std::vector<std::uint8_t> is_new(surfaces.size());
+  parallel_for(surfaces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      is_new[i] = dresses[i] != nullptr && dresses[i]->tubes == nullptr ? 1 : 0;
+      is_new[i] = surfaces[i] != nullptr && surfaces[i]->tubes == nullptr ? 1 : 0;
       if (is_new[i] != 0) {
-        dresses[i]->tubes = make_stem(*dresses[i], plant.materials, options, progress);
+        surfaces[i]->tubes = make_stem(*surfaces[i], plant.materials, options, progress);
       } else {
         progress.advance(plant.stems[i].skeleton.node_count());
       }
     }
   });
   std::vector<MeshInstances> all;
-  for (std::size_t i = 0; i < dresses.size(); ++i) {
-    if (dresses[i] == nullptr) continue;
-    const StemDress& dress = *dresses[i];
-    if (is_new[i] != 0) results.store(dress.key, dress.tubes);
-    for (std::size_t k = 0; k < dress.tubes->meshes.size(); ++k) {
-      const StemPart& look = *dress.looks.first_part[k];
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i] == nullptr) continue;
+    const StemSurface& surface = *surfaces[i];
+    if (is_new[i] != 0) results.store(surface.key, surface.tubes);
+    for (std::size_t k = 0; k < surface.tubes->meshes.size(); ++k) {
+      const StemPart& look = *surface.looks.first_part[k];
       MeshInstances& instances = all.emplace_back();
       instances.component = look.component;
-      instances.mesh = dress.tubes->meshes[k];
+      instances.mesh = surface.tubes->meshes[k];
       instances.material = look.material;
       instances.frames = {Frame{}};
       instances.origin = std::make_shared<const MeshOrigin>(
-          MeshOrigin{.stem = static_cast<std::uint32_t>(i), .tubes = dress.tubes->tubes[k]});
+          MeshOrigin{.stem = static_cast<std::uint32_t>(i), .tubes = surface.tubes->tubes[k]});
       if (look.tint != Vec3(1)) instances.tints = {look.tint};
-      if (dress.looks.individual[k] != 0) instances.individuals = {dress.looks.individual[k]};
+      if (surface.looks.individual[k] != 0) instances.individuals = {surface.looks.individual[k]};
     }
   }
   return all;
@@ -337,7 +338,7 @@ MeshScene clothe(const Plant& plant, const OwnMeshOptions& options, Progress& pr
   std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress, results);
   check_limits(plant, bodies, plan, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, options, results, progress);
+  std::vector<MeshInstances> meshes = surface_meshes(plant, plan.stems, options, results, progress);
   std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
   std::vector<MeshInstances> placed = place_organs(plant, plan, use, results, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
@@ -364,8 +365,8 @@ std::uint64_t planned_triangles(const Plant& plant, const Limits& limits) {
   const ScenePlan plan(plant, {}, results);
   check_limits(plant, {}, plan, limits);
   std::uint64_t triangles = 0;
-  for (const std::unique_ptr<StemDress>& dress : plan.stems) {
-    for (const TubeSize& size : dress->sizes()) triangles += size.triangles;
+  for (const std::unique_ptr<StemSurface>& surface : plan.stems) {
+    for (const TubeSize& size : surface->sizes()) triangles += size.triangles;
   }
   for (std::size_t i = 0; i < plant.prototypes.size(); ++i) {
     triangles += plant.prototypes[i].mesh->triangle_count() * plan.organ_counts[i];

@@ -87,7 +87,7 @@ class PlantingClothier {
       }
       results_.count<VariantMeshes>(meshes_[k] != nullptr);
     }
-    std::vector<std::exception_ptr> faults(variants_.size());
+    std::vector<std::exception_ptr> errors(variants_.size());
     std::mutex storing;
     progress_.begin("meshing plants", variants_.size());
     parallel_for(variants_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -100,14 +100,14 @@ class PlantingClothier {
             const std::lock_guard lock(storing);
             results_.store(keys[k], std::move(made));
           } catch (const InputError&) {
-            faults[k] = std::current_exception();
+            errors[k] = std::current_exception();
           }
         }
         progress_.advance();
       }
     });
-    for (const std::exception_ptr& fault : faults) {
-      if (fault) std::rethrow_exception(fault);
+    for (const std::exception_ptr& error : errors) {
+      if (error) std::rethrow_exception(error);
     }
   }
 

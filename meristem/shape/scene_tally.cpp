@@ -16,13 +16,13 @@ void SceneTally::add_mesh(const std::string& component, const Mesh& mesh) {
 }
 
 void SceneTally::add_tubes(const StemLooks& looks, const std::vector<TubeSize>& sizes) {
-  constexpr std::uint64_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t kMaxVertices = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const std::string& component = looks.first_part[k]->component;
     triangles_[component] += sizes[k].triangles;
     bytes_[component] += sizes[k].bytes();
-    if (sizes[k].vertices > kMostVertices) {
-      throw_limit("vertices of one stem", static_cast<double>(sizes[k].vertices), kMostVertices, "triangles",
+    if (sizes[k].vertices > kMaxVertices) {
+      throw_limit("vertices of one stem", static_cast<double>(sizes[k].vertices), kMaxVertices, "triangles",
                   "components." + component);
     }
   }
@@ -43,9 +43,9 @@ void SceneTally::check(const Amounts& amounts, std::string_view what, std::uint6
   std::uint64_t total = 0;
   for (const auto& [component, amount] : amounts) total += amount;
   if (total <= limit) return;
-  const auto most = std::max_element(amounts.begin(), amounts.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  throw_limit(what, static_cast<double>(total), limit, limit_name, "components." + most->first);
+  const auto max = std::max_element(amounts.begin(), amounts.end(),
+                                    [](const auto& a, const auto& b) { return a.second < b.second; });
+  throw_limit(what, static_cast<double>(total), limit, limit_name, "components." + max->first);
 }
 
 }  // namespace meristem

@@ -51,7 +51,7 @@ TEST(SmallDetail, EachLevelHasAQuarterOfTheTrianglesAndTheFirstTheOutline) {
     const MeshScene& scene = level_of_tree(level);
     EXPECT_LE(static_cast<double>(scene.triangle_count()), 0.26 * before);
     if (level == 1) {
-      EXPECT_GE(outline_overlap(whole, scene, {.size = 128}, progress).least(), 0.9);
+      EXPECT_GE(outline_overlap(whole, scene, {.size = 128}, progress).min(), 0.9);
     }
     before = static_cast<double>(scene.triangle_count());
   }

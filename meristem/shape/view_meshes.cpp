@@ -29,7 +29,7 @@ constexpr double kNearlyWhole = 4;   // a plant with up to this many times its p
 constexpr double kStepsPerHalf = 4;  // steps of shares per halving; few different shares make caches effective
 constexpr double kAboutPart = 1.1;   // times its part of the triangles: a result up to this size is accepted
 constexpr double kStillFalls = 0.9;  // times the triangles of the attempt before: above this, more attempts do not help
-constexpr int kMostTries = 3;
+constexpr int kMaxTries = 3;
 constexpr double kBytesPerTriangle = 44;  // maximum, for tubes
 
 /// Estimates of the number of triangles of plants. Each variant is counted once.
@@ -94,8 +94,8 @@ void divide(std::vector<Claim*> claims, double triangles) {
   double weights = 0;
   for (const Claim* claim : claims) weights += weight(*claim) * claim->places;
   for (Claim* claim : claims) {
-    const double most = weights > 0 ? std::max(0.0, triangles) * weight(*claim) / weights : 0;
-    claim->granted = std::min(claim->whole, most);
+    const double max = weights > 0 ? std::max(0.0, triangles) * weight(*claim) / weights : 0;
+    claim->granted = std::min(claim->whole, max);
     triangles -= claim->granted * claim->places;
     weights -= weight(*claim) * claim->places;
   }
@@ -117,10 +117,10 @@ std::vector<Claim> granted_claims(const Plant& plant, double triangles, Estimate
   for (Claim& claim : claims) all.push_back(&claim);
   divide(all, triangles);
   Claim& own = claims.front();
-  const double least = std::min(own.whole, kOwnShare * triangles);
-  if (own.granted < least) {
-    own.granted = least;
-    divide({all.begin() + 1, all.end()}, triangles - least);
+  const double min = std::min(own.whole, kOwnShare * triangles);
+  if (own.granted < min) {
+    own.granted = min;
+    divide({all.begin() + 1, all.end()}, triangles - min);
   }
   return claims;
 }
@@ -145,7 +145,7 @@ OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double who
   if (whole <= granted) return {make_own_meshes(plant, {limits, {.work = options.work}, cache}, progress), true};
   double share = stepped(std::max(granted, 1.0) / whole);
   MeshScene made;
-  for (int k = 0; k < kMostTries; ++k) {
+  for (int k = 0; k < kMaxTries; ++k) {
     const std::uint64_t before = made.triangle_count();
     const Detail detail{.level = 1, .share = share, .is_quick = true, .work = options.work};
     made = make_own_meshes(plant, {limits, detail, cache}, progress);
@@ -202,8 +202,8 @@ ViewMeshes meshes_within(const Plant& plant, const Limits& limits, const ViewMes
         .add_key = [&](const PlantVariant& variant, Fingerprint& key) { key.add_text("view").add(granted(variant)); },
         .shown_places =
             [&](const PlantVariant& variant, std::uint64_t triangles) {
-              const double most = claim_of.at(&variant)->granted;
-              return static_cast<double>(triangles) <= kAboutPart * most ? 1 : most / static_cast<double>(triangles);
+              const double max = claim_of.at(&variant)->granted;
+              return static_cast<double>(triangles) <= kAboutPart * max ? 1 : max / static_cast<double>(triangles);
             }};
     const bool are_whole = add_plantings(meshes.scene, plant.plantings, recipe, limits, progress, cache);
     meshes.is_whole = meshes.is_whole && are_whole;

@@ -243,7 +243,7 @@ py::dict check_of(const py::object& path, const py::object& root, bool allow_old
   made["failed"] = check.failed;
   made["files"] = check.files;
   made["bytes"] = check.bytes;
-  made["faults"] = check.faults;
+  made["faults"] = check.errors;
   made["warnings"] = check.warnings;
   return made;
 }
@@ -325,7 +325,7 @@ MachineError if the disk fails or another program works in the folder.)")
           "failed_text", [](const FolderPointer& folder) { return folder->folder.failed_text(); },
           "The numbers of written and failed plants, with the first error. Empty if no plant failed.")
       .def_property_readonly(
-          "faults", [](const FolderPointer& folder) { return folder->folder.faults(); },
+          "faults", [](const FolderPointer& folder) { return folder->folder.errors(); },
           "Faults of plants that are made again: one line each, the first hundred.");
 
   py::class_<ScratchFolder, std::shared_ptr<ScratchFolder>>(

@@ -131,7 +131,7 @@ std::shared_ptr<PlantInPython> grow_plant(const DocumentPointer& document, doubl
   if (step && *step < 0) throw py::value_error("step must be 0 or more");
   GrowthView view{step, {}};
   if (trace) {
-    view.wish = TraceWish::all();
+    view.request = TraceRequest::all();
   }
   return run_call(progress, threads, [&](Progress& inner) {
     GrowthOptions options{.time = time, .up_to = GrownPart::plant, .view = view};
@@ -174,8 +174,8 @@ std::shared_ptr<PlantInPython> plan_plant(const DocumentPointer& document, const
 
 void save_animated(const DocumentPointer& document, const py::object& path, int keys, int threads,
                    const py::object& progress) {
-  if (keys < 2 || keys > static_cast<int>(kMostKeys)) {
-    throw py::value_error(fmt::format("keys must be from 2 to {}", kMostKeys));
+  if (keys < 2 || keys > static_cast<int>(kMaxKeys)) {
+    throw py::value_error(fmt::format("keys must be from 2 to {}", kMaxKeys));
   }
   const std::string target = file_of(path);
   check_moving_file(target);

@@ -19,7 +19,7 @@ namespace meristem::python {
 
 namespace {
 
-constexpr std::int64_t kMostAcross = 1000;
+constexpr std::int64_t kMaxAcross = 1000;
 
 using OrderPointer = std::shared_ptr<ReductionOrder>;
 
@@ -114,7 +114,7 @@ std::function<DVec3(double, double)> displacement_of(const py::object& displace)
 std::shared_ptr<Mesh> blade_of(const GrassLeaf& leaf, double twist, const py::object& twist_along, double fold,
                                double roll, const py::dict& waves, int across, double clasp, double clasp_radius,
                                const py::object& displace) {
-  if (across > kMostAcross) throw py::value_error(fmt::format("across is at most {}", kMostAcross));
+  if (across > kMaxAcross) throw py::value_error(fmt::format("across is at most {}", kMaxAcross));
   GrassBlade blade{.twist = radians(twist),
                    .fold = radians(fold),
                    .roll = radians(roll),

@@ -53,7 +53,7 @@ Surface surface_of(const py::dict& values) {
   Surface surface;
   ParameterReader reader({}, Limits());
   reader.read(surface_table(), &surface, to_value(values), DocumentPath());
-  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   return surface;
 }
 

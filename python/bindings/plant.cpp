@@ -31,7 +31,7 @@ namespace {
 
 using PlantPointer = std::shared_ptr<PlantInPython>;
 
-constexpr std::uint64_t kMostRays = 1'000'000'000;  // for a crown: some minutes
+constexpr std::uint64_t kMaxRays = 1'000'000'000;  // for a crown: some minutes
 
 /// A part of a plant, which keeps the whole plant alive.
 template <class Part>
@@ -171,8 +171,8 @@ py::dict operations_of(const PlantPointer& plant) {
 
 void check_options(double fork_diameter, std::uint64_t crown_rays) {
   if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
-  if (crown_rays < 1 || crown_rays > kMostRays) {
-    throw py::value_error(fmt::format("crown_rays is {}; expected 1 to {}", crown_rays, kMostRays));
+  if (crown_rays < 1 || crown_rays > kMaxRays) {
+    throw py::value_error(fmt::format("crown_rays is {}; expected 1 to {}", crown_rays, kMaxRays));
   }
 }
 
@@ -292,8 +292,8 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, boo
   if (lod < 0 || lod > kCoarsestDetail) {
     throw py::value_error(fmt::format("lod is {}; expected 0 to {}", lod, kCoarsestDetail));
   }
-  if (cards < 0 || cards > kMostCards) {
-    throw py::value_error(fmt::format("cards is {}; expected 0 to {}", cards, kMostCards));
+  if (cards < 0 || cards > kMaxCards) {
+    throw py::value_error(fmt::format("cards is {}; expected 0 to {}", cards, kMaxCards));
   }
   if (cards > 0 && !format.has_textures()) throw py::value_error("only files with textures show cards");
   if (cards > 0 && lod > 0) throw py::value_error("a file holds a level of detail or cards, not both");
@@ -321,14 +321,14 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, boo
 
 /// Returns meshes of at most about `triangles` triangles. Thinning is inexact, so it is repeated with smaller numbers.
 MeshScene thinned(const PlantPointer& plant, std::uint64_t triangles, double& share, Progress& progress) {
-  constexpr int kMostTries = 4;
+  constexpr int kMaxTries = 4;
   const GrownDocument& whole = plant->up_to(GrownPart::textures, progress);
   const auto wanted = static_cast<double>(triangles);
   share = wanted / static_cast<double>(whole.meshes.triangle_count());
   for (int tries = 1;; ++tries) {
     MeshScene meshes = mesh_detail(plant->origin->document, whole.plant, {.level = 1, .share = share}, progress);
     const auto made = static_cast<double>(meshes.triangle_count());
-    if (made <= wanted || tries == kMostTries) return meshes;
+    if (made <= wanted || tries == kMaxTries) return meshes;
     share *= 0.95 * wanted / made;
   }
 }

@@ -204,7 +204,7 @@ std::shared_ptr<PlantInPython> grow_session(const SessionPointer& self, double t
 void save_session(const SessionPointer& self, const py::object& path) {
   const std::string target = file_of(path);
   const auto lock = self->lock();
-  if (!self->session.is_good()) throw InputError(self->session.faults());
+  if (!self->session.is_good()) throw InputError(self->session.errors());
   check_named_files(*self->session.document(), self->session.file(), target);
   write_file(target, self->session.text());
 }
@@ -229,9 +229,9 @@ py::dict difference_of(const SessionPointer& self) {
 
 std::string session_repr(const SessionPointer& self) {
   const auto lock = self->lock();
-  const std::size_t faults = self->session.is_good() ? 0 : self->session.faults().size();
+  const std::size_t errors = self->session.is_good() ? 0 : self->session.errors().size();
   return fmt::format("<meristem.Session of '{}', {} steps to undo, {} faults>", self->session.file(),
-                     self->session.undo_count(), faults);
+                     self->session.undo_count(), errors);
 }
 
 constexpr const char* kChange =
@@ -376,7 +376,7 @@ never was without faults), Cancelled.)")
           "faults",
           [](const SessionPointer& s) {
             const auto lock = s->lock();
-            return to_python(s->session.faults());
+            return to_python(s->session.errors());
           },
           "The faults of the text, or its warnings if it has no faults: a tuple of Diagnostic.")
       .def_property_readonly(

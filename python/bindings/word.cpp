@@ -76,8 +76,8 @@ WordPointer derive_word(const py::object& grammar, std::optional<int> steps, std
                         const py::object& seed, const py::object& constants, bool drawn, int threads,
                         const py::object& progress) {
   if (time && !(*time >= 0 && *time <= 1e6)) throw py::value_error("time must be from 0 to 1000000");
-  if (steps && (*steps < 0 || *steps > kMostSteps)) {
-    throw py::value_error(fmt::format("steps must be from 0 to {}", kMostSteps));
+  if (steps && (*steps < 0 || *steps > kMaxSteps)) {
+    throw py::value_error(fmt::format("steps must be from 0 to {}", kMaxSteps));
   }
   const GrammarSource source = source_of(grammar);
   const RandomKey key(seed_of(seed));

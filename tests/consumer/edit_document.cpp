@@ -22,7 +22,7 @@ void stop_reading(int) { reading.cancel(); }
 
 void report(const meristem::Session& session) {
   std::printf("%s, %zu steps to undo\n", session.is_good() ? "good" : "faulty", session.undo_count());
-  for (const meristem::Diagnostic& fault : session.faults()) std::puts(fault.text().c_str());
+  for (const meristem::Diagnostic& error : session.errors()) std::puts(error.text().c_str());
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     compare_lanes(Expression::compile(text, kNames));
   } catch (const ExpressionError& error) {
-    require(error.fault().offset <= size);
-    require(!error.fault().message.empty() && !error.fault().expected.empty());
+    require(error.details().offset <= size);
+    require(!error.details().message.empty() && !error.details().expected.empty());
   }
   return 0;
 }

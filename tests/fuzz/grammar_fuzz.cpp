@@ -27,7 +27,7 @@ void require_sound_rules(const Grammar& grammar, const RuleSet& set) {
   require(set.of_letter.size() == grammar.alphabet.size());
   for (const Rule& rule : set.rules) {
     require(rule.line > 0 && rule.predecessor < grammar.alphabet.size());
-    require(rule.variable_count <= kMostVariables);
+    require(rule.variable_count <= kMaxVariables);
     for (const auto* context : {&rule.left, &rule.right}) {
       for (const ContextModule& module : *context) {
         require(module.letter < grammar.alphabet.size());
@@ -90,9 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     word_text(axiom_of(grammar), grammar.alphabet);
   } catch (const InputError& error) {
-    require_faults_of(error, "fuzz");
-    for (const Diagnostic& fault : error.diagnostics()) {
-      require(fault.line > 0 && fault.column > 0 && static_cast<std::size_t>(fault.text_offset) <= size);
+    require_errors_of(error, "fuzz");
+    for (const Diagnostic& error : error.diagnostics()) {
+      require(error.line > 0 && error.column > 0 && static_cast<std::size_t>(error.text_offset) <= size);
     }
     return 0;
   }

@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     require(!image.is_empty() && pixels <= limits.picture_pixels && image.rgba.size() == 4 * pixels);
   } catch (const InputError& error) {
-    require_faults_of(error, "picture");
+    require_errors_of(error, "picture");
   }
   return 0;
 }

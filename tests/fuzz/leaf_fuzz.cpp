@@ -22,7 +22,7 @@ namespace {
 using namespace meristem;
 
 constexpr std::string_view kBetween = "\n===\n";
-constexpr std::size_t kMostLeaves = 4;
+constexpr std::size_t kMaxLeaves = 4;
 
 void require_lines(const InputError& error, const Limits& limits) {
   require(!error.diagnostics().empty() && error.diagnostics().size() <= limits.diagnostics);
@@ -99,7 +99,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<MeasuredCurve> midribs = midribs_of(text.substr(0, between), limits);
   const std::vector<MeasuredCurve> widths = widths_of(text.substr(std::min(between + kBetween.size(), size)), limits);
   if (widths.empty()) return 0;
-  for (std::size_t k = 0; k < std::min(midribs.size(), kMostLeaves); ++k) {
+  for (std::size_t k = 0; k < std::min(midribs.size(), kMaxLeaves); ++k) {
     go_through_stages(midribs[k], widths[k % widths.size()]);
   }
   return 0;

@@ -21,13 +21,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& triangle : mesh.triangles) {
       for (const std::uint32_t vertex : triangle) require(vertex < mesh.positions.size());
     }
-    if (!closedness_faults(mesh).empty() || !body_fault(mesh).empty()) return 0;
+    if (!closedness_errors(mesh).empty() || !body_error(mesh).empty()) return 0;
     const ClosedMesh closed(mesh);
-    const auto most = static_cast<int>(mesh.triangles.size());
-    for (const DVec3 position : mesh.positions) require(std::abs(closed.winding_number(position)) <= most);
+    const auto max = static_cast<int>(mesh.triangles.size());
+    for (const DVec3 position : mesh.positions) require(std::abs(closed.winding_number(position)) <= max);
     require(!closed.contains(DVec3(1e300)) && !closed.contains(DVec3(-1e300)));
   } catch (const InputError& error) {
-    require_faults_of(error, "body");
+    require_errors_of(error, "body");
   }
   return 0;
 }

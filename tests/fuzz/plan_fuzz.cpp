@@ -20,7 +20,7 @@ constexpr const char* kDocument = R"({"meristem": 1, "variables": {"tall": {"val
   "components": {"rod": {"type": "simple", "shape": "box", "size": [0.1, "tall", 0.1]}}})";
 
 void check_plan(const DatasetPlan& plan) {
-  require(plan.count() >= 1 && plan.count() <= kMostPlants);
+  require(plan.count() >= 1 && plan.count() <= kMaxPlants);
   const std::string header = manifest_header(plan);
   const auto layout = ManifestLayout::of_header(std::string_view(header).substr(0, header.size() - 1));
   for (const std::uint64_t number : {std::uint64_t{0}, plan.count() / 2, plan.count() - 1}) {

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
     }
   } catch (const InputError& error) {
-    require_faults_of(error, "scan");
+    require_errors_of(error, "scan");
   }
   return 0;
 }

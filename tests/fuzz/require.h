@@ -13,7 +13,7 @@ inline void require(bool holds) {
 }
 
 /// Requires that every error has a message and the name of this file.
-inline void require_faults_of(const InputError& error, std::string_view file) {
+inline void require_errors_of(const InputError& error, std::string_view file) {
   require(!error.diagnostics().empty());
   for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == file);
 }

@@ -31,9 +31,9 @@ TEST_P(LevelsOfModels, ThatAreWrittenHaveFewTrianglesAndKeepTheOutline) {
   std::uint64_t before = model.grown.meshes.triangle_count();
   for (int level = 1; level <= 2; ++level) {
     const MeshScene scene = model.level(level);
-    if (!model.fault_of(before, scene, level).empty()) break;
+    if (!model.error_of(before, scene, level).empty()) break;
     EXPECT_LE(static_cast<double>(scene.triangle_count()), 0.35 * static_cast<double>(before)) << level;
-    EXPECT_GE(overlap_of(model, scene, level).least(), 0.9 - kBetweenDirections) << level;
+    EXPECT_GE(overlap_of(model, scene, level).min(), 0.9 - kBetweenDirections) << level;
     const Box coarse = scene.bounds();
     for (int k = 0; k < 3; ++k) {
       EXPECT_GE(coarse.low[k], box.low[k] - tolerance) << level;
@@ -53,15 +53,15 @@ INSTANTIATE_TEST_SUITE_P(Shipped, LevelsOfModels,
                            return name;
                          });
 
-TEST(FaultOfLevel, LevelsOfLargePlantsKeepTheirOutlines) {
+TEST(ErrorOfLevel, LevelsOfLargePlantsKeepTheirOutlines) {
   for (const char* name : {"wheat", "fern", "bush"}) {
     const DetailedModel model(name);
     ASSERT_GT(model.grown.meshes.triangle_count(), 50'000U) << name;
     std::uint64_t before = model.grown.meshes.triangle_count();
-    for (const auto& [level, least] : {std::pair(1, 0.9), std::pair(2, 0.8)}) {
+    for (const auto& [level, min] : {std::pair(1, 0.9), std::pair(2, 0.8)}) {
       const MeshScene scene = model.level(level);
-      EXPECT_EQ(model.fault_of(before, scene, level), "") << name << level;
-      EXPECT_GE(overlap_of(model, scene, level).least(), least) << name << level;
+      EXPECT_EQ(model.error_of(before, scene, level), "") << name << level;
+      EXPECT_GE(overlap_of(model, scene, level).min(), min) << name << level;
       before = scene.triangle_count();
     }
   }
@@ -76,10 +76,10 @@ TEST(MakeLevels, EndsBeforeTheFirstLevelThatIsNotWorthAFile) {
   std::uint64_t before = model.grown.meshes.triangle_count();
   for (std::size_t k = 0; k < all.triangles.size(); ++k) {
     const int number = static_cast<int>(k) + 1;
-    EXPECT_EQ(model.fault_of(before, model.level(number), number), "");
+    EXPECT_EQ(model.error_of(before, model.level(number), number), "");
     before = all.triangles[k];
   }
-  EXPECT_EQ(model.fault_of(before, model.level(all.worthless->number), all.worthless->number), all.worthless->reason);
+  EXPECT_EQ(model.error_of(before, model.level(all.worthless->number), all.worthless->number), all.worthless->reason);
 }
 
 TEST(MakeLevels, CrownsWithTunnelsHaveASecondLevel) {

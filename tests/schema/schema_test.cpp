@@ -56,7 +56,7 @@ const DocumentSchema& schema() {
 }
 
 /// The reader's faults, or nothing.
-std::string faults_of(const std::string& text) {
+std::string errors_of(const std::string& text) {
   try {
     read_document(text, "document", builtin_components());
     return {};
@@ -116,7 +116,7 @@ TEST(Schema, AcceptsEveryFigureOfTheManual) { expect_accepted(MERISTEM_FIGURES);
 
 TEST(Schema, AcceptsWhatTheReaderAccepts) {
   for (const std::string& document : good_documents()) {
-    EXPECT_EQ(faults_of(document), "");
+    EXPECT_EQ(errors_of(document), "");
     EXPECT_TRUE(schema().accepts(parse(document))) << document;
   }
 }
@@ -173,7 +173,7 @@ TEST(Schema, RejectsWhatTheReaderRejects) {
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "seed": -1})",
       }) {
     EXPECT_FALSE(schema().accepts(parse(document))) << document;
-    EXPECT_NE(faults_of(document), "") << document;
+    EXPECT_NE(errors_of(document), "") << document;
   }
 }
 
@@ -240,12 +240,12 @@ TEST(Schema, AcceptsItsOwnDefaults) {
     const Json component = {{"type", "leaf"}, {name, parse(write_json(defaults[k]))}};
     const Json document = {{"meristem", 1}, {"components", {{"leaf", component}}}};
     // A row that means something only beside others is no fault for its value.
-    const std::string faults = faults_of(document.dump());
-    if (faults.empty()) {
+    const std::string errors = errors_of(document.dump());
+    if (errors.empty()) {
       EXPECT_TRUE(schema().accepts(document)) << document;
     }
-    EXPECT_TRUE(faults.empty() || faults.find("no meaning") != std::string::npos) << faults;
-    accepted += faults.empty() ? 1 : 0;
+    EXPECT_TRUE(errors.empty() || errors.find("no meaning") != std::string::npos) << errors;
+    accepted += errors.empty() ? 1 : 0;
   }
   EXPECT_GT(accepted, 15);
 }
@@ -303,7 +303,7 @@ TEST(Schema, RejectsNothingThatTheReaderAccepts) {
     for (int k = 0; k < changes; ++k) mutate(document);
     if (schema().accepts(document)) return;
     ++rejected;
-    if (faults_of(document.dump()).empty()) RC_FAIL("the reader accepts " + document.dump());
+    if (errors_of(document.dump()).empty()) RC_FAIL("the reader accepts " + document.dump());
   }));
   EXPECT_GT(rejected, 10) << "changes that the schema sees";
 }

@@ -79,7 +79,7 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
   const DocumentPath components(top, "components");
   prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), parameters,
                                            DocumentPath(components, id));
-  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   Value::Object described = parameters;
   described.emplace_back("type", type);
   set_fingerprints(prototype, Value(std::move(described)), ConstantTable(variables_), {}, graph_.limits);
@@ -102,13 +102,13 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   branch.given = reader.read(placement_table(), &branch.placement, placement, DocumentPath(links, graph_.links.size()));
   if (kind == LinkKind::branch) link.kind = std::move(branch);
   if (kind == LinkKind::leaf) link.kind = LeafLink();
-  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   link.fingerprint = fingerprint_of(Value(placement), ConstantTable(variables_), {}, 0);
   graph_.links.push_back(std::move(link));
   return *this;
 }
 
-std::vector<std::string> GraphBuilder::structure_faults() const {
+std::vector<std::string> GraphBuilder::structure_errors() const {
   std::vector<Diagnostic> diagnostics;
   Graph graph = graph_;
   analyse_structure(graph, diagnostics);

@@ -31,7 +31,7 @@ class GraphBuilder {
   /// Returns the graph with its structure. Throws InputError if the structure is invalid.
   Graph sound_graph() const;
   /// Returns the reports of analyse_structure(), one line per report.
-  std::vector<std::string> structure_faults() const;
+  std::vector<std::string> structure_errors() const;
   /// Expands the valid graph.
   Plant grow(double time = 0, const Scene& scene = {}, Cache* cache = nullptr) const;
 
@@ -54,7 +54,7 @@ std::string hash_of(const Plant& plant);
 
 /// Returns the diagnostics of the InputError that `call` throws, or an empty list if it throws none.
 template <class Call>
-std::vector<Diagnostic> faults_of(Call call) {
+std::vector<Diagnostic> errors_of(Call call) {
   try {
     call();
   } catch (const InputError& error) {

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// Returns the error in a sentence that must stand alone, or an empty text.
-inline std::string sentence_fault(std::string_view sentence) {
+inline std::string sentence_error(std::string_view sentence) {
   constexpr std::size_t kLongest = 200;  // bytes; three lines of a tooltip
   constexpr std::array<std::string_view, 22> kOpenings = {
       "Of ",     "The same", "In its", "That ",  "So many", "How they", "How it ",  "By which",

@@ -36,7 +36,7 @@ AssertionResult check_columns(const Skeleton& skeleton) {
 }
 
 /// Returns the error in a node's own numbers or its segment, or an empty text.
-std::string fault_of_node(const Skeleton& skeleton, NodeIndex node) {
+std::string error_of_node(const Skeleton& skeleton, NodeIndex node) {
   const Vec3 position = skeleton.position[node];
   const bool is_finite = std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z) &&
                          std::isfinite(skeleton.radius[node]) && std::isfinite(skeleton.birth[node]);
@@ -60,7 +60,7 @@ std::string fault_of_node(const Skeleton& skeleton, NodeIndex node) {
 }
 
 /// Returns the error in the axes up to this node, or an empty text. `last` is the last node of each axis so far.
-std::string fault_of_axis(const Skeleton& skeleton, NodeIndex node, std::vector<NodeIndex>& last) {
+std::string error_of_axis(const Skeleton& skeleton, NodeIndex node, std::vector<NodeIndex>& last) {
   const AxisIndex axis = skeleton.axis[node];
   const NodeIndex parent = skeleton.parent[node];
   if (axis > last.size()) return fmt::format("begins axis {} where {} is next", axis, last.size());
@@ -84,9 +84,9 @@ AssertionResult check_skeleton(const Skeleton& skeleton) {
   if (AssertionResult result = check_columns(skeleton); !result) return result;
   std::vector<NodeIndex> last;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    std::string fault = fault_of_node(skeleton, node);
-    if (fault.empty()) fault = fault_of_axis(skeleton, node, last);
-    if (!fault.empty()) return AssertionFailure() << "node " << node << " " << fault;
+    std::string error = error_of_node(skeleton, node);
+    if (error.empty()) error = error_of_axis(skeleton, node, last);
+    if (!error.empty()) return AssertionFailure() << "node " << node << " " << error;
   }
   return AssertionSuccess();
 }

@@ -34,9 +34,9 @@ struct DetailedModel {
   }
 
   /// Returns the reason why a level after one with `before` triangles is not worth a file.
-  std::string fault_of(std::uint64_t before, const MeshScene& scene, int number) const {
+  std::string error_of(std::uint64_t before, const MeshScene& scene, int number) const {
     Progress progress;
-    return fault_of_level(grown.meshes, before, scene, number, progress);
+    return error_of_level(grown.meshes, before, scene, number, progress);
   }
 
  private:

@@ -30,7 +30,7 @@ template <class FindNearest>
 Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& parameters, RandomKey key,
                       FindNearest find_nearest) {
   constexpr double kUnit = 274'877'906'944;  // sums of whole numbers do not depend on the order
-  constexpr int kMostTurns = 4;
+  constexpr int kMaxTurns = 4;
   PlainPoints points{cloud, std::vector<NodeIndex>(cloud.size(), kNoNode),
                      std::vector<float>(cloud.size(), std::numeric_limits<float>::infinity())};
   const auto influence = static_cast<float>(parameters.influence);
@@ -90,7 +90,7 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
         point = Vec3(from + parameters.step * *direction);
         is_placed = places.is_free(tree, node, point);
       }
-      if (!is_placed && turns[node] < kMostTurns) {
+      if (!is_placed && turns[node] < kMaxTurns) {
         const int turn = ++turns[node];
         const DVec3 random(key.child(node).direction(static_cast<std::uint64_t>(turn)));
         const DVec3 turned = direction.value_or(DVec3(0)) + 1.0 * turn * random;

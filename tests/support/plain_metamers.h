@@ -56,8 +56,8 @@ class PlainMetamers {
     std::vector<MetamerIndex> last(metamers.axes.size(), kNoNode);
     for (MetamerIndex metamer = 0; metamer < metamers.count(); ++metamer) {
       const Node& node = *by_birth_.at(metamers.birth[metamer]);
-      const std::string fault = fault_of(metamers, metamer, node);
-      if (!fault.empty()) return testing::AssertionFailure() << "born at " << node.birth << " " << fault;
+      const std::string error = error_of(metamers, metamer, node);
+      if (!error.empty()) return testing::AssertionFailure() << "born at " << node.birth << " " << error;
       const AxisIndex axis = metamers.axis[metamer];
       if (first[axis] == kNoNode) first[axis] = metamer;
       last[axis] = metamer;
@@ -100,7 +100,7 @@ class PlainMetamers {
     }
   }
 
-  static std::string fault_of(const Metamers& metamers, MetamerIndex metamer, const Node& node) {
+  static std::string error_of(const Metamers& metamers, MetamerIndex metamer, const Node& node) {
     const MetamerIndex parent = metamers.parent[metamer];
     if (metamer == 0 ? parent != kNoNode : parent >= metamer) return "comes before its parent";
     if (metamer != 0 && metamers.birth[parent] != node.parent->birth) return "has another parent";

@@ -9,7 +9,7 @@
 
 namespace meristem::studio::check_test {
 
-std::string fault_of(const Form& form, const std::string& json) {
+std::string error_of(const Form& form, const std::string& json) {
   const DocumentPath top;
   try {
     check_form(form, parse_json(json), DocumentPath(top, "part"));
@@ -20,30 +20,30 @@ std::string fault_of(const Form& form, const std::string& json) {
 }
 
 TEST(CheckForm, NamesWhatIsExpected) {
-  EXPECT_EQ(fault_of(forms::flag(), "1"), "'part' is not true or false");
-  EXPECT_EQ(fault_of(forms::text(), "1"), "'part' is not a text");
-  EXPECT_EQ(fault_of(forms::text(), "null"), "'part' is not a text");
-  EXPECT_EQ(fault_of(forms::or_null(forms::text()), "null"), "");
-  EXPECT_EQ(fault_of(forms::number({0, 2, Unit::metre}), "2.5"), "'part' is not a number from 0 to 2 (m)");
-  EXPECT_EQ(fault_of(forms::number({0, 2, Unit::metre}), "2"), "");
-  EXPECT_EQ(fault_of(forms::number({.min = 1}), "0"), "'part' is not a number from 1");
-  EXPECT_EQ(fault_of(forms::number({.max = 1}), "2"), "'part' is not a number up to 1");
-  EXPECT_EQ(fault_of(forms::whole({0, 9}), "2.5"), "'part' is not a whole number from 0 to 9");
-  EXPECT_EQ(fault_of(forms::any(), "null"), "");
-  EXPECT_EQ(fault_of(forms::choice({"parent", "child"}), "\"chidl\""),
+  EXPECT_EQ(error_of(forms::flag(), "1"), "'part' is not true or false");
+  EXPECT_EQ(error_of(forms::text(), "1"), "'part' is not a text");
+  EXPECT_EQ(error_of(forms::text(), "null"), "'part' is not a text");
+  EXPECT_EQ(error_of(forms::or_null(forms::text()), "null"), "");
+  EXPECT_EQ(error_of(forms::number({0, 2, Unit::metre}), "2.5"), "'part' is not a number from 0 to 2 (m)");
+  EXPECT_EQ(error_of(forms::number({0, 2, Unit::metre}), "2"), "");
+  EXPECT_EQ(error_of(forms::number({.min = 1}), "0"), "'part' is not a number from 1");
+  EXPECT_EQ(error_of(forms::number({.max = 1}), "2"), "'part' is not a number up to 1");
+  EXPECT_EQ(error_of(forms::whole({0, 9}), "2.5"), "'part' is not a whole number from 0 to 9");
+  EXPECT_EQ(error_of(forms::any(), "null"), "");
+  EXPECT_EQ(error_of(forms::choice({"parent", "child"}), "\"chidl\""),
             "'part' is none of parent, child; did you mean 'child'?");
-  EXPECT_EQ(fault_of(forms::choice({"parent", "child"}), "3"), "'part' is none of parent, child");
+  EXPECT_EQ(error_of(forms::choice({"parent", "child"}), "3"), "'part' is none of parent, child");
 }
 
 TEST(CheckForm, NamesThePlaceInListsAndMaps) {
-  EXPECT_EQ(fault_of(forms::list(forms::text()), "{}"), "'part' is not a list");
-  EXPECT_EQ(fault_of(forms::list(forms::text()), R"(["a", 1])"), "'part[1]' is not a text");
-  EXPECT_EQ(fault_of(forms::list(forms::text(), 2), R"(["a", "b", "c"])"), "'part' has more than 2 parts");
-  EXPECT_EQ(fault_of(forms::list(forms::text(), 2, 1), "[]"), "'part' has fewer than 1 parts");
-  EXPECT_EQ(fault_of(forms::vector(), "[1, 2]"), "'part' is not a list [x, y, z]");
-  EXPECT_EQ(fault_of(forms::vector(), "[1, 2, true]"), "'part[2]' is not a number");
-  EXPECT_EQ(fault_of(forms::map(forms::number()), R"({"a": 1, "b.c": "2"})"), "'part.b.c' is not a number");
-  EXPECT_EQ(fault_of(forms::map(forms::number(), 1), R"({"a": 1, "b": 2})"), "'part' has more than 1 parts");
+  EXPECT_EQ(error_of(forms::list(forms::text()), "{}"), "'part' is not a list");
+  EXPECT_EQ(error_of(forms::list(forms::text()), R"(["a", 1])"), "'part[1]' is not a text");
+  EXPECT_EQ(error_of(forms::list(forms::text(), 2), R"(["a", "b", "c"])"), "'part' has more than 2 parts");
+  EXPECT_EQ(error_of(forms::list(forms::text(), 2, 1), "[]"), "'part' has fewer than 1 parts");
+  EXPECT_EQ(error_of(forms::vector(), "[1, 2]"), "'part' is not a list [x, y, z]");
+  EXPECT_EQ(error_of(forms::vector(), "[1, 2, true]"), "'part[2]' is not a number");
+  EXPECT_EQ(error_of(forms::map(forms::number()), R"({"a": 1, "b.c": "2"})"), "'part.b.c' is not a number");
+  EXPECT_EQ(error_of(forms::map(forms::number(), 1), R"({"a": 1, "b": 2})"), "'part' has more than 1 parts");
 }
 
 struct Point {
@@ -114,11 +114,11 @@ TEST(RecordTable, RefusesWhatIsNotDescribed) {
 
 TEST(RecordTable, ReadsObjectsOfSeveralKinds) {
   const Form form = forms::kinds({point_record, circle_record});
-  EXPECT_EQ(fault_of(form, R"({"radius": 2})"), "");
-  EXPECT_EQ(fault_of(form, R"({"radius": 2, "at": null})"),
+  EXPECT_EQ(error_of(form, R"({"radius": 2})"), "");
+  EXPECT_EQ(error_of(form, R"({"radius": 2, "at": null})"),
             "'part' has an unknown member 'at'; the members are radius");
-  EXPECT_EQ(fault_of(form, R"({"radus": 2})"), "'part' has none of at, radius; did you mean 'radius'?");
-  EXPECT_EQ(fault_of(form, "3"), "'part' is not an object");
+  EXPECT_EQ(error_of(form, R"({"radus": 2})"), "'part' has none of at, radius; did you mean 'radius'?");
+  EXPECT_EQ(error_of(form, "3"), "'part' is not an object");
   std::variant<Point, Circle> stored;
   store_kind(stored, form, parse_json(R"({"radius": 2})"), DocumentPath());
   EXPECT_EQ(std::get<Circle>(stored).radius, 2);

@@ -30,7 +30,7 @@ const Record& no_members() {
   return record;
 }
 
-const Record& fault_record() {
+const Record& error_record() {
   static const Record record =
       WrittenRecord("Fault", "An error or a warning about a text.")
           .member("severity", forms::choice({"error", "warning"}), "A text with errors is not grown.")
@@ -45,7 +45,7 @@ const Record& fault_record() {
   return record;
 }
 
-Form faults() { return forms::list(forms::record(fault_record)); }
+Form errors() { return forms::list(forms::record(error_record)); }
 
 Form job_name() {
   return forms::choice({"grow", "export", "measure", "sweep", "stills", "grammar", "picture", "question"});
@@ -72,7 +72,7 @@ const Record& reading_record() {
           .optional("superseded", forms::flag(),
                     "True: a newer message made the reading useless. The other members are missing.")
           .member("good", forms::flag(), "True: the text has no errors.")
-          .member("faults", faults(), "Errors and warnings.")
+          .member("faults", errors(), "Errors and warnings.")
           .member("tree", forms::any(),
                   "The text as plain JSON. Null: the text is not JSON, so the page keeps the last tree.")
           .member("variables", forms::list(forms::record(variable_record)), "Variables. Empty if the text has errors.")
@@ -87,7 +87,7 @@ const Record& refused_record() {
   static const Record record =
       WrittenRecord("Refused", "The reason why a request was refused.")
           .member("message", forms::text(), "Reason of the refusal, for users.")
-          .optional("faults", faults(), "Faults of the document.")
+          .optional("faults", errors(), "Faults of the document.")
           .optional("limit", forms::text(), "Name of the reached limit of the server.")
           .optional("cancelled", forms::flag(), "True: the request was cancelled by the page, or by a newer request.")
           .optional("stale", forms::flag(), "True: the server has another text than the page.")

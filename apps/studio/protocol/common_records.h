@@ -18,12 +18,12 @@ inline constexpr std::size_t kMaxNumbers = 1'000'000'000;  ///< maximum size of 
 
 const Record& no_members();       ///< an object without members
 const Record& refused_record();   ///< the members of `refused` besides `is` and `re`
-const Record& fault_record();     ///< an error or warning about a text
+const Record& error_record();     ///< an error or warning about a text
 const Record& implied_record();   ///< a link that is not in the text
 const Record& reading_record();   ///< what the server knows of a text after reading it
 const Record& export_camera();    ///< the camera of a picture, read into a CameraOptions
 const Record& instance_record();  ///< an instance of a component
-Form faults();                    ///< a list of faults
+Form errors();                    ///< a list of faults
 
 /// Returns the values of an object by their paths, as values that replace others of the document.
 std::vector<Override> overrides_of(const Value::Object& values);

@@ -185,7 +185,7 @@ const Record& drag_members() {
 const Record& drag_answer() {
   static const Record record =
       WrittenRecord("DragAnswer", "The faults of dragged values.")
-          .member("faults", faults(), "Faults of these values.")
+          .member("faults", errors(), "Faults of these values.")
           .optional("superseded", forms::flag(), "True: a newer message made the reading useless.");
   return record;
 }

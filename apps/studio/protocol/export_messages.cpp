@@ -135,7 +135,7 @@ const Record& stills_members() {
 const Record& still_record() {
   static const Record record = WrittenRecord("Still", "A small picture of a state of the document.")
                                    .optional("picture", forms::text(), "A PNG in base 64 without a background.")
-                                   .optional("faults", faults(), "Faults of the state, which then has no picture.")
+                                   .optional("faults", errors(), "Faults of the state, which then has no picture.")
                                    .one_of({"picture", "faults"});
   return record;
 }

@@ -62,7 +62,7 @@ const Record& sweep_point() {
   static const Record record = WrittenRecord("SweepPoint", "The document with one of the values.")
                                    .member("value", forms::number(), "The value.")
                                    .optional("measures", forms::map(forms::any()), "Measures by name.")
-                                   .optional("faults", faults(), "Faults with this value, instead of measures.")
+                                   .optional("faults", errors(), "Faults with this value, instead of measures.")
                                    .one_of({"measures", "faults"});
   return record;
 }

@@ -34,7 +34,7 @@ const Record& grammar_members() {
           "GrammarRequest",
           "Derives the grammar of a component. Refused if the text has faults, and with `faults` beyond limits.")
           .text("component", &GrammarRequest::component, kComponentDoc)
-          .whole("step", &GrammarRequest::step, {0, kMostSteps},
+          .whole("step", &GrammarRequest::step, {0, kMaxSteps},
                  "Steps of the derivation. Null: the steps of the component.")
           .read("instance", forms::text(), read_key,
                 "Key of an instance. Missing, or without an instance: by `number`.")

@@ -77,7 +77,7 @@ TEST(Protocol, EachRecordAndMemberHasASentence) {
 }
 
 /// Checks one message of the server, and returns what is wrong.
-std::string fault_of(const std::string& request, const std::string& message) {
+std::string error_of(const std::string& request, const std::string& message) {
   try {
     check_server_message(parse_json(message), request);
   } catch (const Refusal& refusal) {
@@ -87,29 +87,29 @@ std::string fault_of(const std::string& request, const std::string& message) {
 }
 
 TEST(Protocol, FindsMessagesThatAreNotAsDescribed) {
-  EXPECT_EQ(fault_of("view", R"({"is": "done", "re": 1})"), "");
-  EXPECT_EQ(fault_of("view", R"({"is": "done"})"), "the answer has no 're'");
-  EXPECT_EQ(fault_of("view", R"({"is": "done", "re": 1, "new": 2})"),
+  EXPECT_EQ(error_of("view", R"({"is": "done", "re": 1})"), "");
+  EXPECT_EQ(error_of("view", R"({"is": "done"})"), "the answer has no 're'");
+  EXPECT_EQ(error_of("view", R"({"is": "done", "re": 1, "new": 2})"),
             "the message has an unknown member 'new'; there are no members");
-  EXPECT_EQ(fault_of("command", R"({"is": "done", "re": 1})"), "the message has no 'command'");
-  EXPECT_EQ(fault_of("command", R"({"is": "done", "re": 1, "command": 3})"), "'command' is not a text");
-  EXPECT_EQ(fault_of("", R"({"is": "news"})"), "there is no message 'news'");
-  EXPECT_EQ(fault_of("", R"({"is": "refused", "re": null, "message": "", "stale": null})"),
+  EXPECT_EQ(error_of("command", R"({"is": "done", "re": 1})"), "the message has no 'command'");
+  EXPECT_EQ(error_of("command", R"({"is": "done", "re": 1, "command": 3})"), "'command' is not a text");
+  EXPECT_EQ(error_of("", R"({"is": "news"})"), "there is no message 'news'");
+  EXPECT_EQ(error_of("", R"({"is": "refused", "re": null, "message": "", "stale": null})"),
             "'stale' is not true or false");
-  EXPECT_EQ(fault_of("", R"({"is": "working", "job": "dance", "stage": null, "share": 1})"),
+  EXPECT_EQ(error_of("", R"({"is": "working", "job": "dance", "stage": null, "share": 1})"),
             "'job' is none of grow, export, measure, sweep, stills, grammar, picture, question");
   // A reading is there as a whole, or was superseded.
-  EXPECT_EQ(fault_of("text", R"({"is": "done", "re": 1, "hash": "", "superseded": true})"), "");
-  EXPECT_EQ(fault_of("text", R"({"is": "done", "re": 1, "hash": ""})"), "the message has no 'good'");
-  EXPECT_EQ(fault_of("text", R"({"is": "done", "re": 1, "hash": "", "superseded": true, "good": true})"),
+  EXPECT_EQ(error_of("text", R"({"is": "done", "re": 1, "hash": "", "superseded": true})"), "");
+  EXPECT_EQ(error_of("text", R"({"is": "done", "re": 1, "hash": ""})"), "the message has no 'good'");
+  EXPECT_EQ(error_of("text", R"({"is": "done", "re": 1, "hash": "", "superseded": true, "good": true})"),
             "the message has 'good' beside 'superseded'");
-  EXPECT_EQ(fault_of("save", R"({"is": "done", "re": 1, "path": "", "name": "", "saved": ""})"), "");
-  EXPECT_EQ(fault_of("save", R"({"is": "done", "re": 1, "path": "", "name": "", "saved": "", "copied": []})"),
+  EXPECT_EQ(error_of("save", R"({"is": "done", "re": 1, "path": "", "name": "", "saved": ""})"), "");
+  EXPECT_EQ(error_of("save", R"({"is": "done", "re": 1, "path": "", "name": "", "saved": "", "copied": []})"),
             "the message has no 'omitted'");
-  EXPECT_EQ(fault_of("grammar", R"({"is": "done", "re": 1, "derivation": {"text": null}})"), "");
-  EXPECT_EQ(fault_of("grammar", R"({"is": "done", "re": 1, "derivation": {"text": ""}})"),
+  EXPECT_EQ(error_of("grammar", R"({"is": "done", "re": 1, "derivation": {"text": null}})"), "");
+  EXPECT_EQ(error_of("grammar", R"({"is": "done", "re": 1, "derivation": {"text": ""}})"),
             "'derivation' has no 'instance'");
-  EXPECT_EQ(fault_of("stills", R"({"is": "done", "re": 1, "stills": [{"picture": "", "faults": []}]})"),
+  EXPECT_EQ(error_of("stills", R"({"is": "done", "re": 1, "stills": [{"picture": "", "faults": []}]})"),
             "'stills[0]' needs exactly one of picture, faults");
 }
 

@@ -184,7 +184,7 @@ const Record& failed_record() {
           .member("job", job_name(), "The job: `grow`.")
           .member("hash", forms::text(), "Hash of the text.")
           .member("message", forms::text(), "Reason of the failure.")
-          .optional("faults", faults(), "Reached limits of the document, and numbers that are not finite.")
+          .optional("faults", errors(), "Reached limits of the document, and numbers that are not finite.")
           .optional("limit", forms::text(), "Name of the reached limit of the server.")
           .optional("continues", forms::flag(), "True: the work reached `job_seconds`, and `continue` continues it.");
   return record;

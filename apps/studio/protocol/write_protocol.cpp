@@ -48,18 +48,18 @@ int check_all(const std::string& path) {
   if (!file) throw MachineError("cannot read " + path);
   Conversation conversation;
   int line_number = 0;
-  int faults = 0;
+  int errors = 0;
   for (std::string line; std::getline(file, line);) {
     ++line_number;
     try {
       conversation.take(parse_json(line));
     } catch (const std::exception& error) {
       fmt::print("{}:{}: {}\n", path, line_number, error.what());
-      ++faults;
+      ++errors;
     }
   }
   for (const std::string& name : conversation.answered()) fmt::print("answered {}\n", name);
-  return faults == 0 ? 0 : 1;
+  return errors == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ bool is_finite(const DMat3& m) { return is_finite(m[0]) && is_finite(m[1]) && is
 std::string text_of(const DVec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
 
 /// Throws the error of a level that maps `from` to `to`. Both are in the level's frame.
-[[noreturn]] void throw_fault(const Deformation::Level& level, std::string_view who, const DVec3& world,
+[[noreturn]] void throw_error(const Deformation::Level& level, std::string_view who, const DVec3& world,
                               const DVec3& from, const DVec3& to, const DMat3& jacobian) {
   const std::string place =
       fmt::format("where '{}' stands at {} ({} in its own frame)", who, text_of(world), text_of(from));
@@ -154,7 +154,7 @@ void Deformation::map(const Level& level, std::span<DVec3> points, std::span<DMa
       const double determinant = glm::determinant(slopes[k]);
       const bool is_near = is_finite(to) && std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) <= kFarthest;
       if (!(determinant > 0) || !std::isfinite(determinant) || !is_near) {
-        throw_fault(level, who, point, from, moved[k], slopes[k]);
+        throw_error(level, who, point, from, moved[k], slopes[k]);
       }
       point = to;
       if (!is_identity(slopes[k])) slopes[k] = DMat3(1) + axes * (slopes[k] - DMat3(1)) * inverse;

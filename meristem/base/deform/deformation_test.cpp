@@ -32,7 +32,7 @@ Mapped mapped(const Deformation& deformation, DVec3 point) {
   return {point, jacobian};
 }
 
-Diagnostic fault_of(const Deformation& deformation, DVec3 point) {
+Diagnostic error_of(const Deformation& deformation, DVec3 point) {
   try {
     mapped(deformation, point);
   } catch (const InputError& error) {
@@ -189,13 +189,13 @@ TEST(Deformation, MovesWithItsWorld) {
 TEST(Deformation, TellsWhereItFoldsSpaceOver) {
   const Deformation deformation({level(functions("x - x^2", "", ""), {.origin = {0, 1, 0}})});
   EXPECT_GT(glm::determinant(mapped(deformation, {0.49, 0, 0}).jacobian), 0);
-  const Diagnostic fault = fault_of(deformation, {0.75, 3, 0});
-  EXPECT_EQ(fault.path, "components.wind");
-  EXPECT_EQ(fault.message,
+  const Diagnostic error = error_of(deformation, {0.75, 3, 0});
+  EXPECT_EQ(error.path, "components.wind");
+  EXPECT_EQ(error.message,
             "the deformation folds space over where 'leaf' stands at [0.75, 3, 0] ([0.75, 2, 0] in its own frame): the "
             "determinant of its Jacobian is -0.5 there");
   // A map that presses space flat is an error as well.
-  EXPECT_NE(fault_of(Deformation({level(functions("", "", "0"))}), {1, 1, 1}).message.find("folds"), std::string::npos);
+  EXPECT_NE(error_of(Deformation({level(functions("", "", "0"))}), {1, 1, 1}).message.find("folds"), std::string::npos);
 }
 
 TEST(Deformation, TellsOfTheFirstFoldOnAnyNumberOfThreads) {
@@ -214,18 +214,18 @@ TEST(Deformation, TellsOfTheFirstFoldOnAnyNumberOfThreads) {
 }
 
 TEST(Deformation, TellsWhereItHasNoFiniteValue) {
-  const Diagnostic fault = fault_of(Deformation({level(functions("x + log(y)", "", ""))}), {0, -1, 0});
-  EXPECT_NE(fault.message.find("no finite value where 'leaf' stands at [0, -1, 0]"), std::string::npos);
-  EXPECT_EQ(fault.path, "components.wind");
+  const Diagnostic error = error_of(Deformation({level(functions("x + log(y)", "", ""))}), {0, -1, 0});
+  EXPECT_NE(error.message.find("no finite value where 'leaf' stands at [0, -1, 0]"), std::string::npos);
+  EXPECT_EQ(error.path, "components.wind");
   // A value without a slope is an error.
-  EXPECT_NE(fault_of(Deformation({level(functions("x + sqrt(y)", "", ""))}), {0, 0, 0}).message.find("no finite value"),
+  EXPECT_NE(error_of(Deformation({level(functions("x + sqrt(y)", "", ""))}), {0, 0, 0}).message.find("no finite value"),
             std::string::npos);
 }
 
 TEST(Deformation, TellsWhereItBlowsUp) {
-  const Diagnostic fault = fault_of(Deformation({level(functions("x + exp(20*y)", "", ""))}), {0, 1, 0});
-  EXPECT_NE(fault.message.find("takes a point to [4.852e+08, 1, 0]"), std::string::npos) << fault.message;
-  EXPECT_EQ(fault.expected, "points within 1e+07 m of the origin");
+  const Diagnostic error = error_of(Deformation({level(functions("x + exp(20*y)", "", ""))}), {0, 1, 0});
+  EXPECT_NE(error.message.find("takes a point to [4.852e+08, 1, 0]"), std::string::npos) << error.message;
+  EXPECT_EQ(error.expected, "points within 1e+07 m of the origin");
 }
 
 TEST(Deformation, HasANumberForAllThatItDependsOn) {

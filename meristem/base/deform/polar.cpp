@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostSteps = 40;          // a stretch of 1e12 needs 12 steps
+constexpr int kMaxSteps = 40;           // a stretch of 1e12 needs 12 steps
 constexpr double kNearRotation = 1e-2;  // below this squared change, each step doubles the number of exact digits
                                         // without scaling
 constexpr double kDone = 1e-15;         // change at which the iteration stops
@@ -23,7 +23,7 @@ double squared_size(const DMat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1
 DMat3 nearest_rotation(const DMat3& matrix) {
   DMat3 m = matrix;
   bool is_near = false;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const DMat3 other = glm::transpose(glm::inverse(m));
     const double change = squared_size(m - other);
     if (!(change > kDone * kDone)) break;

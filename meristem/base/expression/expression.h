@@ -46,7 +46,7 @@ struct ExpressionNames {
 struct ExpressionScope;  // expression_scope.h
 
 /// An error in an expression's text.
-struct ExpressionFault {
+struct SyntaxError {
   std::size_t offset = 0;  ///< byte of the text at which the error lies, from 0
   std::string message;     ///< the problem, without a full stop
   std::string expected;    ///< what was expected, or empty
@@ -56,13 +56,13 @@ struct ExpressionFault {
 /// Thrown for the first error in an expression's text.
 class ExpressionError : public std::runtime_error {
  public:
-  /// Carries `fault`; what() is its message.
-  explicit ExpressionError(ExpressionFault fault) : std::runtime_error(fault.message), fault_(std::move(fault)) {}
+  /// Carries `error`; what() is its message.
+  explicit ExpressionError(SyntaxError error) : std::runtime_error(error.message), error_(std::move(error)) {}
   /// Returns the error and its place.
-  const ExpressionFault& fault() const { return fault_; }
+  const SyntaxError& details() const { return error_; }
 
  private:
-  ExpressionFault fault_;
+  SyntaxError error_;
 };
 
 /// Returns true if a condition with this value holds: any number but 0. Infinities and NaN do not hold.

@@ -47,37 +47,37 @@ constexpr std::string_view kOperations[] = {"||", "&&", "==", "!=", "<=", ">=", 
 
 [[noreturn]] void throw_stray(std::string_view text, std::size_t offset) {
   const std::string_view rest = text.substr(offset);
-  ExpressionFault fault;
-  fault.offset = offset;
-  fault.expected = "numbers, names, operators and parentheses";
+  SyntaxError error;
+  error.offset = offset;
+  error.expected = "numbers, names, operators and parentheses";
   const std::size_t length = utf8_character_bytes(rest);
   const auto byte = static_cast<unsigned char>(rest.front());
   if (length == 0) {
-    fault.message = fmt::format("byte 0x{:02x} is not UTF-8 text", byte);
+    error.message = fmt::format("byte 0x{:02x} is not UTF-8 text", byte);
   } else if (byte < 0x20 || byte == 0x7F) {
-    fault.message = fmt::format("control character 0x{:02x} has no meaning here", byte);
+    error.message = fmt::format("control character 0x{:02x} has no meaning here", byte);
   } else {
-    fault.message = fmt::format("'{}' has no meaning here", rest.substr(0, length));
+    error.message = fmt::format("'{}' has no meaning here", rest.substr(0, length));
   }
   for (const Lookalike& lookalike : kLookalikes) {
-    if (rest.starts_with(lookalike.character)) fault.nearest = lookalike.instead;
+    if (rest.starts_with(lookalike.character)) error.nearest = lookalike.instead;
   }
-  throw ExpressionError(std::move(fault));
+  throw ExpressionError(std::move(error));
 }
 
 /// Throws an error for a run of digits, points and letters that begins like a number but is not a number. `digits` is
 /// the length of the part that would be a number.
 [[noreturn]] void throw_malformed_number(std::string_view text, std::size_t digits, std::size_t offset) {
-  ExpressionFault fault;
-  fault.offset = offset;
-  fault.message = fmt::format("{} is not a number", in_quotes(text));
-  fault.expected = "a number such as 1, .5 or 2e-3";
+  SyntaxError error;
+  error.offset = offset;
+  error.message = fmt::format("{} is not a number", in_quotes(text));
+  error.expected = "a number such as 1, .5 or 2e-3";
   const std::string_view suffix = text.substr(digits);
   const bool is_hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (!is_hexadecimal && is_identifier(suffix) && suffix.size() <= 32) {
-    fault.nearest = fmt::format("{}*{}", text.substr(0, std::min<std::size_t>(digits, 32)), suffix);
+    error.nearest = fmt::format("{}*{}", text.substr(0, std::min<std::size_t>(digits, 32)), suffix);
   }
-  throw ExpressionError(std::move(fault));
+  throw ExpressionError(std::move(error));
 }
 
 }  // namespace

@@ -263,9 +263,9 @@ void expect_answer(const std::string& text) {
     RC_ASSERT(expression.text() == text);
     expression.evaluate(std::vector{1.0, 2.0, 3.0});
   } catch (const ExpressionError& error) {
-    RC_ASSERT(error.fault().offset <= text.size());
-    RC_ASSERT(!error.fault().message.empty());
-    RC_ASSERT(!error.fault().expected.empty());
+    RC_ASSERT(error.details().offset <= text.size());
+    RC_ASSERT(!error.details().message.empty());
+    RC_ASSERT(!error.details().expected.empty());
   }
 }
 

@@ -17,11 +17,11 @@ double value_of(std::string_view text) {
   return Expression::compile(text, kNames).evaluate(std::vector{3.0, 10.0, 0.5, 2.0});
 }
 
-ExpressionFault fault_of(std::string_view text) {
+SyntaxError error_of(std::string_view text) {
   try {
     Expression::compile(text, kNames);
   } catch (const ExpressionError& error) {
-    return error.fault();
+    return error.details();
   }
   ADD_FAILURE() << "no fault in: " << text;
   return {};
@@ -137,18 +137,18 @@ TEST(Expression, UndefinedResultsFollowIeee) {
 }
 
 TEST(Expression, NoiseVariesAtWholeNumbersAndKeepsItsRange) {
-  double least = 0;
-  double greatest = 0;
+  double min = 0;
+  double max = 0;
   const auto noise = Expression::compile("noise(i)", kNames);
   for (int k = 0; k < 1000; ++k) {
     const double value = noise.evaluate(std::vector<double>{double(k), 0, 0, 0});
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
+    min = std::min(min, value);
+    max = std::max(max, value);
   }
-  EXPECT_GE(least, -1);
-  EXPECT_LT(least, -0.7);
-  EXPECT_LE(greatest, 1);
-  EXPECT_GT(greatest, 0.7);
+  EXPECT_GE(min, -1);
+  EXPECT_LT(min, -0.7);
+  EXPECT_LE(max, 1);
+  EXPECT_GT(max, 0.7);
   EXPECT_NE(value_of("noise(i, n)"), value_of("noise(i)"));
   EXPECT_NE(value_of("noise(i, n, u)"), value_of("noise(i, n)"));
 }
@@ -247,11 +247,11 @@ struct Rejection {
 };
 
 void expect_rejected(const Rejection& rejection) {
-  const ExpressionFault fault = fault_of(rejection.text);
-  EXPECT_EQ(fault.offset, rejection.offset) << rejection.text;
-  EXPECT_EQ(fault.message, rejection.message) << rejection.text;
-  EXPECT_EQ(fault.expected, rejection.expected) << rejection.text;
-  EXPECT_EQ(fault.nearest, rejection.nearest) << rejection.text;
+  const SyntaxError error = error_of(rejection.text);
+  EXPECT_EQ(error.offset, rejection.offset) << rejection.text;
+  EXPECT_EQ(error.message, rejection.message) << rejection.text;
+  EXPECT_EQ(error.expected, rejection.expected) << rejection.text;
+  EXPECT_EQ(error.nearest, rejection.nearest) << rejection.text;
 }
 
 constexpr const char* kValue = "a number, a name or '('";
@@ -359,8 +359,8 @@ TEST(Expression, BoundsTheLengthOfTheText) {
     Expression::compile("12345", {}, 4);
     FAIL();
   } catch (const ExpressionError& error) {
-    EXPECT_EQ(error.fault().message, "the expression has 5 bytes");
-    EXPECT_EQ(error.fault().expected, "at most 4");
+    EXPECT_EQ(error.details().message, "the expression has 5 bytes");
+    EXPECT_EQ(error.details().expected, "at most 4");
   }
 }
 
@@ -380,10 +380,10 @@ TEST(Expression, BoundsNestingOfEveryKind) {
       return repeated(o, levels) + "1" + repeated(c, levels);
     };
     EXPECT_TRUE(std::isfinite(value_of(nested(200)))) << open;
-    const ExpressionFault fault = fault_of(nested(201));
-    EXPECT_EQ(fault.message, "the expression is nested deeper than 200 levels") << open;
-    EXPECT_LE(fault.offset, 201 * std::string(open).size()) << open;
-    EXPECT_GE(fault.offset + std::string(open).size(), 200 * std::string(open).size()) << open;
+    const SyntaxError error = error_of(nested(201));
+    EXPECT_EQ(error.message, "the expression is nested deeper than 200 levels") << open;
+    EXPECT_LE(error.offset, 201 * std::string(open).size()) << open;
+    EXPECT_GE(error.offset + std::string(open).size(), 200 * std::string(open).size()) << open;
   }
 }
 

@@ -25,7 +25,7 @@ constexpr NumberRange kProfileRadius{.unit = Unit::metre, .min = 0, .max = 1e5, 
 constexpr double kMaxProfileHeight = 1e5;  // metres above or below the root
 constexpr UsualSpan kUsualProfileHeight{0, 20};
 constexpr NumberRange kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
-constexpr std::size_t kMostShares = 100;
+constexpr std::size_t kMaxShares = 100;
 constexpr double kFarthestPoint = 1e7;  // metres along an axis, enough for national grids
 
 /// Returns the azimuth of a key of `profiles` in degrees.
@@ -38,12 +38,12 @@ std::optional<double> azimuth_of(const std::string& key) {
 
 bool check_profile(const std::vector<Vec2>& profile, const DocumentPath& path, ParameterReader& reader) {
   if (profile.size() < 2) {
-    reader.fault(path, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
+    reader.error(path, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
     return false;
   }
   for (std::size_t k = 0; k < profile.size(); ++k) {
     if (k > 0 && !(profile[k - 1].y < profile[k].y)) {
-      reader.fault(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
+      reader.error(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
                    fmt::format("a height above {:.7g}", profile[k - 1].y));
       return false;
     }
@@ -57,7 +57,7 @@ bool check_profiles(const CrownParameters& crown, const DocumentPath& path, Para
     const DocumentPath at(path, key);
     const std::optional<double> azimuth = azimuth_of(key);
     if (!azimuth) {
-      reader.fault_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
+      reader.error_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
                         "");
       return false;
     }
@@ -67,7 +67,7 @@ bool check_profiles(const CrownParameters& crown, const DocumentPath& path, Para
   std::sort(seen.begin(), seen.end());
   for (std::size_t k = 1; k < seen.size(); ++k) {
     if (seen[k].first > seen[k - 1].first) continue;
-    reader.fault_name(DocumentPath(path, seen[k].second),
+    reader.error_name(DocumentPath(path, seen[k].second),
                       fmt::format("'{}' and '{}' are one azimuth", seen[k - 1].second, seen[k].second),
                       "a profile for each azimuth once", "");
     return false;
@@ -79,7 +79,7 @@ bool check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] < box.high[k]) continue;
-    reader.fault(
+    reader.error(
         path, fmt::format("the box ends in {} at {:.7g}, where it begins at {:.7g}", kAxes[k], box.high[k], box.low[k]),
         "the lower corner first, and some size along each axis");
     return false;
@@ -92,34 +92,34 @@ void check_crown(const CrownParameters& crown, const DocumentPath& path, Paramet
   if (!check_profiles(crown, DocumentPath(path, "profiles"), reader)) return;
   if (crown.box && !check_box(*crown.box, DocumentPath(path, "box"), reader)) return;
   if (crown.half_space && crown.half_space->normal == Vec3(0)) {
-    return reader.fault(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
+    return reader.error(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
                         "a direction such as [0, 1, 0]");
   }
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
-    return reader.fault(path, "the crown is empty: its list has no parts", "at least one profile or crown in its list");
+    return reader.error(path, "the crown is empty: its list has no parts", "at least one profile or crown in its list");
   }
   const auto is_zero = [](Vec2 point) { return point.x == 0; };
   if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
-    return reader.fault(DocumentPath(path, "profile"), "the crown is empty: all its radii are 0",
+    return reader.error(DocumentPath(path, "profile"), "the crown is empty: all its radii are 0",
                         "a radius above 0 somewhere");
   }
   if (!is_fillable(*built)) {
-    reader.fault(path, "the crown is empty, or nearly",
+    reader.error(path, "the crown is empty, or nearly",
                  "a crown that fills at least a thousandth of the box around it");
   }
 }
 
 void check_points(const PointsParameters& points, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath shares(path, "shares");
-  if (points.shares.size() > kMostShares) {
-    return reader.fault(shares, fmt::format("{} shares are too many", points.shares.size()),
-                        fmt::format("at most {}", kMostShares));
+  if (points.shares.size() > kMaxShares) {
+    return reader.error(shares, fmt::format("{} shares are too many", points.shares.size()),
+                        fmt::format("at most {}", kMaxShares));
   }
   double sum = 0;
   for (const ShareParameters& share : points.shares) sum += share.share;
   if (sum > 1 + 1e-9) {
-    reader.fault(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
+    reader.error(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
   }
 }
 
@@ -273,7 +273,7 @@ void check_shares(const CrownParameters& crown, const PointsParameters& points, 
   for (std::size_t k = 0; k < points.shares.size(); ++k) {
     const ShareParameters& share = points.shares[k];
     if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
-    return reader.fault(DocumentPath(shares, k), "the share's part of the crown is empty, or nearly",
+    return reader.error(DocumentPath(shares, k), "the share's part of the crown is empty, or nearly",
                         "a smaller 'above' or a larger 'outer'");
   }
 }
@@ -343,18 +343,18 @@ const ParameterTable& points_table() {
 void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
                  std::string_view component, const DocumentPath& path, ParameterReader& reader) {
   if (!crown && !points.file) {
-    reader.fault(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
+    reader.error(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
   }
   const CrownPointer built = crown ? build_crown(*crown) : nullptr;
   if (built != nullptr && !points.file && is_endless(*built)) {
-    reader.fault(DocumentPath(path, "crown"), "the crown has no end, so its points cannot be spread over it",
+    reader.error(DocumentPath(path, "crown"), "the crown has no end, so its points cannot be spread over it",
                  "an 'intersection' of the half space with another crown");
   } else if (crown) {
     check_shares(*crown, points, path, reader);
   }
   const double count = static_cast<double>(points.count) * static_cast<double>(times);
   if (count > static_cast<double>(reader.limits().points)) {
-    reader.fault_limit(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
+    reader.error_limit(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
   }
 }
 

@@ -43,7 +43,7 @@ class PlaceColumns {
     check_numbers(places_.height, kMetres);
     check_numbers(places_.rotation, kTurns);
     check_numbers(places_.scale, kScales);
-    if (!faults_.empty()) throw InputError(std::move(faults_));
+    if (!errors_.empty()) throw InputError(std::move(errors_));
   }
 
  private:
@@ -94,7 +94,7 @@ class PlaceColumns {
     for (std::size_t row = 0; row < column.numbers.size(); ++row) {
       const double number = column.numbers[row];
       if (number >= range.low && number <= range.high) continue;
-      if (faults_.size() >= limits_.diagnostics) return;
+      if (errors_.size() >= limits_.diagnostics) return;
       tell(row, column_of_cell(text_, places_.table.lines[row], column.name),
            fmt::format("{:.6g} in the column '{}' is out of its range", number, column.name),
            fmt::format("a number from {:.6g} to {:.6g}", range.low, range.high));
@@ -102,8 +102,8 @@ class PlaceColumns {
   }
 
   void tell(std::size_t row, int column, std::string message, std::string expected) {
-    if (faults_.size() >= limits_.diagnostics) return;
-    faults_.push_back({.message = std::move(message),
+    if (errors_.size() >= limits_.diagnostics) return;
+    errors_.push_back({.message = std::move(message),
                        .expected = std::move(expected),
                        .line = places_.table.lines[row],
                        .column = column});
@@ -112,7 +112,7 @@ class PlaceColumns {
   PlaceTable& places_;
   std::string_view text_;
   const Limits& limits_;
-  std::vector<Diagnostic> faults_;
+  std::vector<Diagnostic> errors_;
 };
 
 double middle_of(const std::vector<double>& numbers) {

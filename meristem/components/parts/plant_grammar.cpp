@@ -69,8 +69,8 @@ std::vector<std::string_view> words_behind_tildes(std::string_view text) {
     std::size_t begin = at + 1;
     while (begin < text.size() && text[begin] == ' ') ++begin;
     std::size_t end = begin;
-    const std::size_t most = std::min(text.size(), begin + kLongestWord);
-    while (end < most && is_identifier(text.substr(begin, end + 1 - begin))) ++end;
+    const std::size_t max = std::min(text.size(), begin + kLongestWord);
+    while (end < max && is_identifier(text.substr(begin, end + 1 - begin))) ++end;
     words.push_back(text.substr(begin, end - begin));
   }
   return words;

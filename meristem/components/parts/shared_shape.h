@@ -27,14 +27,14 @@ inline double to_step(double value, double step) { return std::floor(value / ste
 /// Returns 2 to the power of `exponent`. Multiples of 1/8 are looked up in a table, because computing them took a tenth
 /// of the time of a crown of leaves.
 inline double power_of_2(double exponent) {
-  constexpr int kMost = 32;
-  static const std::array<double, 16 * kMost + 1> powers = [] {
-    std::array<double, 16 * kMost + 1> made{};
-    for (int k = 0; k < 16 * kMost + 1; ++k) made[static_cast<std::size_t>(k)] = math::pow(2, k / 8.0 - kMost);
+  constexpr int kMax = 32;
+  static const std::array<double, 16 * kMax + 1> powers = [] {
+    std::array<double, 16 * kMax + 1> made{};
+    for (int k = 0; k < 16 * kMax + 1; ++k) made[static_cast<std::size_t>(k)] = math::pow(2, k / 8.0 - kMax);
     return made;
   }();
-  const double place = 8 * (exponent + kMost);
-  const bool is_there = place >= 0 && place <= 16 * kMost && place == std::floor(place);
+  const double place = 8 * (exponent + kMax);
+  const bool is_there = place >= 0 && place <= 16 * kMax && place == std::floor(place);
   return is_there ? powers[static_cast<std::size_t>(place)] : math::pow(2, exponent);
 }
 

@@ -19,8 +19,8 @@ namespace {
 
 // Largest share of an angle; with 1, the first section would close the whole angle.
 constexpr double kStrongest = 0.995;
-constexpr int kWaySteps = 64;             // pieces between two points that measure the length of an axis
-constexpr std::size_t kMostPoints = 500;  // points of an axis
+constexpr int kWaySteps = 64;            // pieces between two points that measure the length of an axis
+constexpr std::size_t kMaxPoints = 500;  // points of an axis
 
 /// Returns the share of the angle that one turn must close, so that 1 / `part` turns together close `strength` of it.
 double share_of_turn(double strength, double part) {
@@ -255,14 +255,14 @@ StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropi
 
 void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath axis(path, "axis");
-  if (form.axis.size() > kMostPoints) {
-    reader.fault(axis, fmt::format("the axis has {} points", form.axis.size()), fmt::format("at most {}", kMostPoints));
+  if (form.axis.size() > kMaxPoints) {
+    reader.error(axis, fmt::format("the axis has {} points", form.axis.size()), fmt::format("at most {}", kMaxPoints));
     return;
   }
   Vec3 last(0);
   for (std::size_t k = 0; k < form.axis.size(); ++k) {
     if (glm::distance(form.axis[k], last) < 1e-6F) {
-      reader.fault(DocumentPath(axis, k),
+      reader.error(DocumentPath(axis, k),
                    k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
                    "points that lie apart");
       return;

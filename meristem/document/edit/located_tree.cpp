@@ -101,9 +101,9 @@ class NodeScanner {
   std::uint32_t last_begun_ = 0;
 };
 
-constexpr std::size_t kFewMembers = 32;    // are searched one by one
-constexpr std::size_t kMostMoves = 256;    // of a member's place, after which all members are entered again
-constexpr std::size_t kMostShifts = 1024;  // after which all nodes are moved
+constexpr std::size_t kFewMembers = 32;   // are searched one by one
+constexpr std::size_t kMaxMoves = 256;    // of a member's place, after which all members are entered again
+constexpr std::size_t kMaxShifts = 1024;  // after which all nodes are moved
 
 // End of a list or object, after the parts that are read again. No document has this name.
 constexpr std::string_view kLastMember = R"( "\u0001 last": 0})";
@@ -180,7 +180,7 @@ std::size_t LocatedTree::index_of(LocatedValue object, std::string_view name) co
     return found == members.end() ? TextNode::kNone : static_cast<std::size_t>(found - members.begin());
   }
   MemberNames& names = names_[object.node];
-  if (names.positions.empty() || names.moves > kMostMoves) {
+  if (names.positions.empty() || names.moves > kMaxMoves) {
     names = {};
     names.positions.reserve(members.size());
     for (std::size_t k = 0; k < members.size(); ++k) names.positions.emplace(members[k].first, k);
@@ -329,7 +329,7 @@ void LocatedTree::apply(const Patch& patch, const Progress* progress) {
     text_.replace(splice->offset, splice->length, splice->replacement);
     shifts_.push_back({splice->offset, splice->length, splice->replacement.size()});
   }
-  if (shifts_.size() > kMostShifts) move_all();
+  if (shifts_.size() > kMaxShifts) move_all();
   // Node 0 of the range stands for the list or object itself.
   const auto base = static_cast<std::uint32_t>(nodes_.size()) - 1;
   for (std::size_t k = 1; k < range->nodes.size(); ++k) {

@@ -139,22 +139,22 @@ LocatedValue value_at(const LocatedTree& tree, const std::vector<std::size_t>& p
 void throw_missing(const PathTarget& target, std::string_view path) {
   const Value& at = *target.last().value;
   const PathStep& step = target.missing.front();
-  Diagnostic fault{.path = std::string(path)};
+  Diagnostic error{.path = std::string(path)};
   if (step.is_index) {
     const std::string written =
         step.index == PathStep::kBehindLast ? std::string("[]") : fmt::format("[{}]", step.index);
-    fault.message = fmt::format("there is no element {} in {}", written, at.description());
-    if (at.list() != nullptr && !at.list()->empty()) fault.expected = fmt::format("[0] to [{}]", at.list()->size() - 1);
+    error.message = fmt::format("there is no element {} in {}", written, at.description());
+    if (at.list() != nullptr && !at.list()->empty()) error.expected = fmt::format("[0] to [{}]", at.list()->size() - 1);
   } else if (at.object() == nullptr) {
-    fault.message = fmt::format("{} has no member '{}'", at.description(), step.name);
+    error.message = fmt::format("{} has no member '{}'", at.description(), step.name);
   } else {
     std::vector<std::string> names;
     for (const auto& [name, member] : *at.object()) names.push_back(name);
-    fault.message = fmt::format("there is no '{}'", step.name);
-    fault.nearest = nearest_name(step.name, names);
-    if (fault.nearest.empty() && !names.empty()) fault.expected = fmt::format("one of {}", fmt::join(names, ", "));
+    error.message = fmt::format("there is no '{}'", step.name);
+    error.nearest = nearest_name(step.name, names);
+    if (error.nearest.empty() && !names.empty()) error.expected = fmt::format("one of {}", fmt::join(names, ", "));
   }
-  throw InputError(std::move(fault));
+  throw InputError(std::move(error));
 }
 
 std::string path_below(std::string_view path, std::string_view name) {

@@ -56,7 +56,7 @@ TEST(PlantPart, HasComponentsNotesLinksAndVariablesAsWritten) {
 std::string pasted(const std::string& text, const InsertPart& part) {
   Session session(text, "plant.json", builtin_components());
   session.edit({part});
-  EXPECT_TRUE(session.is_good()) << session.faults()[0].text();
+  EXPECT_TRUE(session.is_good()) << session.errors()[0].text();
   const std::string changed = session.text();
   session.undo();
   EXPECT_EQ(session.text(), text);

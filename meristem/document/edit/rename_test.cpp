@@ -30,9 +30,9 @@ const std::string kFern = R"json({
 
 std::string renamed(const std::string& text, const std::string& path, const std::string& name) {
   Session session(text, "fern.json", builtin_components());
-  EXPECT_TRUE(session.is_good()) << session.faults()[0].text();
+  EXPECT_TRUE(session.is_good()) << session.errors()[0].text();
   session.edit({RenameValue{path, name}});
-  EXPECT_TRUE(session.is_good()) << session.faults()[0].text();
+  EXPECT_TRUE(session.is_good()) << session.errors()[0].text();
   const std::string changed = session.text();
   session.undo();
   EXPECT_EQ(session.text(), text);
@@ -48,7 +48,7 @@ std::string replaced(std::string text, const std::vector<std::pair<std::string, 
   return text;
 }
 
-Diagnostic fault_of(const std::string& path, const std::string& name) {
+Diagnostic error_of(const std::string& path, const std::string& name) {
   Session session(kFern, "fern.json", builtin_components());
   try {
     session.edit({RenameValue{path, name}});
@@ -121,15 +121,15 @@ TEST(Rename, VariablesKeepTheirNameInAllExpressions) {
 }
 
 TEST(Rename, RefusesNamesThatMeanSomethingElse) {
-  EXPECT_EQ(fault_of("components.leaf", "K").message, "there is a 'K' already");
-  EXPECT_EQ(fault_of("components.leaf", "a b").message, "'a b' cannot name a component");
-  EXPECT_EQ(fault_of("components.leaf", "F").message, "'F' would have another meaning in the grammar");
-  EXPECT_EQ(fault_of("components.leaf", "F").path, "components.plant.grammar");
-  EXPECT_EQ(fault_of("components.leaf", "2nd").message, "'2nd' would have another meaning in the grammar");
-  EXPECT_EQ(fault_of("size", "q").message, "'q' would have another meaning in the grammar");
-  EXPECT_EQ(fault_of("size", "u").message, "'u' already has a meaning in expressions");
-  EXPECT_EQ(fault_of("size", "2").message, "'2' is not a name");
-  EXPECT_EQ(fault_of("variables.sise", "s").nearest, "size");
+  EXPECT_EQ(error_of("components.leaf", "K").message, "there is a 'K' already");
+  EXPECT_EQ(error_of("components.leaf", "a b").message, "'a b' cannot name a component");
+  EXPECT_EQ(error_of("components.leaf", "F").message, "'F' would have another meaning in the grammar");
+  EXPECT_EQ(error_of("components.leaf", "F").path, "components.plant.grammar");
+  EXPECT_EQ(error_of("components.leaf", "2nd").message, "'2nd' would have another meaning in the grammar");
+  EXPECT_EQ(error_of("size", "q").message, "'q' would have another meaning in the grammar");
+  EXPECT_EQ(error_of("size", "u").message, "'u' already has a meaning in expressions");
+  EXPECT_EQ(error_of("size", "2").message, "'2' is not a name");
+  EXPECT_EQ(error_of("variables.sise", "s").nearest, "size");
 }
 
 }  // namespace meristem::rename_test

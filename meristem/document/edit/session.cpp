@@ -47,10 +47,10 @@ void Session::read(const Progress* progress) {
 void Session::read_anew(const Progress* progress) {
   try {
     document_ = std::make_shared<const Document>(read_document(text_, file_, *registry_, reading(progress)));
-    faults_ = document_->warnings;
+    errors_ = document_->warnings;
     is_good_ = true;
   } catch (const InputError& error) {
-    faults_ = error.diagnostics();
+    errors_ = error.diagnostics();
     is_good_ = false;
   }
   is_read_ = true;
@@ -78,9 +78,9 @@ Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
     for (const Edit& edit : edits) make_edit(edit, all, context);
     patch = all.patch();
   } catch (const InputError& error) {
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) fault.file = file_;
-    throw InputError(std::move(faults));
+    std::vector<Diagnostic> errors = error.diagnostics();
+    for (Diagnostic& error : errors) error.file = file_;
+    throw InputError(std::move(errors));
   }
   return edit_text(patch, progress);
 }
@@ -89,7 +89,7 @@ Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
 void Session::note(const Change& change) {
   undone_.clear();
   done_.push_back(change);
-  if (done_.size() > options_.most_undone) done_.erase(done_.begin());
+  if (done_.size() > options_.max_undone) done_.erase(done_.begin());
 }
 
 Change Session::edit_text(const Patch& patch, const Progress* progress) {
@@ -103,7 +103,7 @@ Change Session::change_text(const Patch& patch) {
   if (patch.empty()) return {};
   Change change{.patch = patch, .inverse = inverse_patch(text_, patch)};
   text_ = apply_patch(text_, patch);
-  faults_.clear();
+  errors_.clear();
   is_good_ = false;
   is_read_ = false;
   note(change);
@@ -144,7 +144,7 @@ void Session::reload(const Progress* progress) {
 }
 
 const GrownDocument& Session::grow(Progress& progress, GrowthOptions options) {
-  if (!document_) throw InputError(faults_);
+  if (!document_) throw InputError(errors_);
   options.cache = &cache_;
   GrownDocument grown = grow_document(*document_, progress, options);
   keys_before_ = std::exchange(keys_, key_maker_.keys_of(grown.meshes));

@@ -96,7 +96,7 @@ struct SessionOptions {
   std::optional<std::uint64_t> seed{};  ///< as of read_document
   std::string root{};                   ///< as of read_document
   std::string models{};                 ///< as of read_document
-  std::size_t most_undone = 1000;       ///< number of edits that can be undone; older ones are forgotten
+  std::size_t max_undone = 1000;        ///< number of edits that can be undone; older ones are forgotten
   /// False: the constructor does not read the text. Until read(), the text counts as one with faults.
   bool reads_at_once = true;
 };
@@ -115,7 +115,7 @@ class Session {
   const std::string& text() const { return text_; }  ///< the present text, also if it has faults
   const std::string& file() const { return file_; }  ///< name of the text in messages
   /// Returns the errors of the present text, or the document's warnings if there are no errors.
-  const std::vector<Diagnostic>& faults() const { return faults_; }
+  const std::vector<Diagnostic>& errors() const { return errors_; }
   /// Returns true if the present text has no errors. document() is then the document of this text.
   bool is_good() const { return is_good_; }
   /// Returns true if the present text has been read. False only after change_text(), or without
@@ -178,7 +178,7 @@ class Session {
   const Registry* registry_;
   SessionOptions options_;
   ReadStore store_;
-  std::vector<Diagnostic> faults_;
+  std::vector<Diagnostic> errors_;
   bool is_good_ = false;
   bool is_read_ = false;
   std::shared_ptr<const Document> document_;

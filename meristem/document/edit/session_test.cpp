@@ -42,7 +42,7 @@ std::string with(const std::string& before, const std::string& after) {
 }
 
 template <class Act>
-Diagnostic fault_of(Act act) {
+Diagnostic error_of(Act act) {
   try {
     act();
   } catch (const InputError& error) {
@@ -73,8 +73,8 @@ TEST(Session, UnderstandsPathsAsOverridesAre) {
   session.undo();
   session.edit("components.leaf.curl", 20);
   EXPECT_EQ(session.text(), with("0.03}", "0.03, \"curl\": 20}"));
-  EXPECT_EQ(fault_of([&] { session.edit("sise", 1); }).nearest, "size");
-  EXPECT_EQ(fault_of([&] { session.edit("leef.curl", 1); }).nearest, "leaf");
+  EXPECT_EQ(error_of([&] { session.edit("sise", 1); }).nearest, "size");
+  EXPECT_EQ(error_of([&] { session.edit("leef.curl", 1); }).nearest, "leaf");
 }
 
 TEST(Session, MakesSeveralEditsAsOneStep) {
@@ -82,7 +82,7 @@ TEST(Session, MakesSeveralEditsAsOneStep) {
   session.edit({InsertValue{"components.bud", parse_json(R"({"type": "simple"})")},
                 InsertValue{"links[]", Value::List{"leaf", "bud"}}, MoveValue{"links[1]", 0}, UnsetValue{"leaf.width"},
                 UnsetValue{"leaf.curl"}});
-  EXPECT_TRUE(session.is_good()) << session.faults()[0].text();
+  EXPECT_TRUE(session.is_good()) << session.errors()[0].text();
   EXPECT_EQ(session.undo_count(), 1U);
   EXPECT_NE(session.text().find("[\n    [\"leaf\", \"bud\"],\n    {\"from\""), std::string::npos) << session.text();
   session.undo();
@@ -117,7 +117,7 @@ TEST(Session, TakesStepsBackAndMakesThemAgain) {
 }
 
 TEST(Session, ForgetsTheOldestSteps) {
-  Session session(kBush, "bush.json", builtin_components(), {.most_undone = 2});
+  Session session(kBush, "bush.json", builtin_components(), {.max_undone = 2});
   for (const double many : {1, 2, 3}) session.edit("many", many);
   EXPECT_EQ(session.undo_count(), 2U);
 }
@@ -134,9 +134,9 @@ TEST(Session, KeepsTheLastGoodDocumentAndGrowthWhereTheTextIsFaulty) {
   const std::uint64_t triangles = session.grow(progress).meshes.triangle_count();
   session.edit("leaf.width", "thick");
   EXPECT_FALSE(session.is_good());
-  ASSERT_FALSE(session.faults().empty());
-  EXPECT_EQ(session.faults()[0].path, "components.leaf.width");
-  EXPECT_GT(session.faults()[0].line, 0);
+  ASSERT_FALSE(session.errors().empty());
+  EXPECT_EQ(session.errors()[0].path, "components.leaf.width");
+  EXPECT_GT(session.errors()[0].line, 0);
   EXPECT_NE(session.text().find("thick"), std::string::npos);
   EXPECT_EQ(session.grown()->meshes.triangle_count(), triangles);
   EXPECT_EQ(session.grow(progress).meshes.triangle_count(), triangles);
@@ -148,7 +148,7 @@ TEST(Session, HoldsTextThatIsNoJson) {
   Session session = bush();
   session.edit_text({{0, 1, ""}});
   EXPECT_FALSE(session.is_good());
-  EXPECT_EQ(fault_of([&] { session.edit("many", 1); }).file, "bush.json");
+  EXPECT_EQ(error_of([&] { session.edit("many", 1); }).file, "bush.json");
   session.undo();
   EXPECT_EQ(session.text(), kBush);
 }
@@ -243,7 +243,7 @@ class SessionWithFiles : public ::testing::Test {
 
 TEST_F(SessionWithFiles, AnEditReadsNothingAnew) {
   Session session = this->session();
-  ASSERT_TRUE(session.is_good()) << session.faults()[0].text();
+  ASSERT_TRUE(session.is_good()) << session.errors()[0].text();
   const ReadStore::Counts before = session.read_counts();
   EXPECT_EQ(before.files_read, 4U);
   session.edit("grass.length", 0.5);
@@ -297,23 +297,23 @@ TEST_F(SessionWithFiles, NothingOutsideOfTheRootIsRead) {
   fs::create_symlink("/nowhere/at/all", root / "dangling.obj");
   fs::copy(folder_ / "box.obj", root / "box.obj");
   write("root/include.txt", "#include ../twig.txt as T\n#steps 1\nT\n");
-  const auto faults_with = [&](const std::string& component) {
+  const auto errors_with = [&](const std::string& component) {
     Session session("{\"meristem\": 1, \"components\": {\"c\": " + component + "}}", (root / "d.json").string(),
                     builtin_components(), {.root = root.string()});
-    return session.is_good() ? std::string("none") : session.faults()[0].message + session.faults()[0].nearest;
+    return session.is_good() ? std::string("none") : session.errors()[0].message + session.errors()[0].nearest;
   };
   const auto crown = [](const std::string& path) {
     return R"({"type": "colonize", "crown": {"mesh": ")" + path + R"("}, "points": 9, "step": 0.1, "influence": 1,
                "kill": 0.2})";
   };
-  EXPECT_EQ(faults_with(crown("box.obj")), "none");
+  EXPECT_EQ(errors_with(crown("box.obj")), "none");
   for (const std::string path : {"../box.obj", "out/box.obj", "../nothing.obj", "dangling.obj", "/etc/passwd",
                                  "/etc/passwt", "../root/../box.obj"}) {
-    EXPECT_EQ(faults_with(crown(path)), "'" + path + "': this lies outside the folder that may be read");
+    EXPECT_EQ(errors_with(crown(path)), "'" + path + "': this lies outside the folder that may be read");
   }
-  EXPECT_EQ(faults_with(crown("../root/box.obj")), "none");
-  EXPECT_NE(faults_with(crown("bux.obj")).find("box.obj"), std::string::npos);
-  const std::string included = faults_with(R"({"type": "lsystem", "file": "include.txt"})");
+  EXPECT_EQ(errors_with(crown("../root/box.obj")), "none");
+  EXPECT_NE(errors_with(crown("bux.obj")).find("box.obj"), std::string::npos);
+  const std::string included = errors_with(R"({"type": "lsystem", "file": "include.txt"})");
   EXPECT_NE(included.find("this lies outside the folder that may be read"), std::string::npos) << included;
 }
 

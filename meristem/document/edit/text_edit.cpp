@@ -22,7 +22,7 @@ namespace meristem {
 namespace {
 
 // Maximum number of insertions and removals that change a list or object; beyond that it is rewritten
-constexpr int kMostSteps = 64;
+constexpr int kMaxSteps = 64;
 
 [[noreturn]] void refuse(std::string_view path, std::string message, std::string expected = {}) {
   throw InputError(
@@ -67,7 +67,7 @@ void write_over_differences(const LocatedTree& tree, LocatedValue old, const Val
 /// Changes the existing value at `path` to `value`: first parts are inserted and removed one by one, then numbers and
 /// texts are replaced.
 void rewrite(TreeEdit& edit, std::string_view path, const Value& value) {
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const LocatedTree& present = edit.tree();
     const LocatedValue old = find_path(present, path).last();
     const std::optional<PartDifference> found = first_part_difference(present, old, value);

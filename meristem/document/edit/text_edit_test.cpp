@@ -28,7 +28,7 @@ std::string rename(const std::string& text, const std::string& path, const std::
 }
 
 template <class Edit>
-Diagnostic fault_of(Edit edit) {
+Diagnostic error_of(Edit edit) {
   try {
     edit();
   } catch (const InputError& error) {
@@ -183,7 +183,7 @@ TEST(TextEdit, MovesAMemberWithTheNoteAboveIt) {
 
 TEST(TextEdit, RenamesAMember) {
   EXPECT_EQ(rename(kLeaf, "components.leaf", "foliage"), with("\"leaf\": {", "\"foliage\": {"));
-  EXPECT_EQ(fault_of([] { rename(kLeaf, "components.leaf", "stem"); }).message, "there is a 'stem' already");
+  EXPECT_EQ(error_of([] { rename(kLeaf, "components.leaf", "stem"); }).message, "there is a 'stem' already");
 }
 
 TEST(TextEdit, ChangesOnlyWhatDiffersInListsAndObjects) {
@@ -211,22 +211,22 @@ TEST(TextEdit, FindsNamesWithDotsInThem) {
 }
 
 TEST(TextEdit, SaysWhereAPathEnds) {
-  const Diagnostic unknown = fault_of([] { remove(kLeaf, "components.leef"); });
+  const Diagnostic unknown = error_of([] { remove(kLeaf, "components.leef"); });
   EXPECT_EQ(unknown.message, "there is no 'leef'");
   EXPECT_EQ(unknown.nearest, "leaf");
   EXPECT_EQ(unknown.path, "components.leef");
-  EXPECT_EQ(fault_of([] { set(kLeaf, "links[3][0]", "x"); }).expected, "[0] to [0]");
-  EXPECT_EQ(fault_of([] { set(kLeaf, "meristem.x", 1); }).message, "the number 1 has no member 'x'");
-  EXPECT_EQ(fault_of([] { set(kLeaf, "links[x]", 1); }).message, "'links[x]' is not a path");
-  EXPECT_EQ(fault_of([] { set(kLeaf, "", 1); }).message, "'' is not a path");
-  EXPECT_EQ(fault_of([] { insert(kLeaf, "components.leaf", 1); }).message, "'components.leaf' exists already");
-  EXPECT_EQ(fault_of([] { insert(kLeaf, "links[2]", 1); }).message, "there is no element [2] in a list of 1");
+  EXPECT_EQ(error_of([] { set(kLeaf, "links[3][0]", "x"); }).expected, "[0] to [0]");
+  EXPECT_EQ(error_of([] { set(kLeaf, "meristem.x", 1); }).message, "the number 1 has no member 'x'");
+  EXPECT_EQ(error_of([] { set(kLeaf, "links[x]", 1); }).message, "'links[x]' is not a path");
+  EXPECT_EQ(error_of([] { set(kLeaf, "", 1); }).message, "'' is not a path");
+  EXPECT_EQ(error_of([] { insert(kLeaf, "components.leaf", 1); }).message, "'components.leaf' exists already");
+  EXPECT_EQ(error_of([] { insert(kLeaf, "links[2]", 1); }).message, "there is no element [2] in a list of 1");
 }
 
 TEST(TextEdit, RefusesValuesThatTextCannotSay) {
-  EXPECT_EQ(fault_of([] { set(kLeaf, "name", 1.0 / 0.0); }).expected, "finite numbers");
-  EXPECT_NE(fault_of([] { set(kLeaf, "name", "\xFF"); }).message.find("cannot be written"), std::string::npos);
-  EXPECT_NE(fault_of([] {
+  EXPECT_EQ(error_of([] { set(kLeaf, "name", 1.0 / 0.0); }).expected, "finite numbers");
+  EXPECT_NE(error_of([] { set(kLeaf, "name", "\xFF"); }).message.find("cannot be written"), std::string::npos);
+  EXPECT_NE(error_of([] {
               set(kLeaf, "name", Value::Object{{"a", 1}, {"a", 2}});
             }).message.find("given twice"),
             std::string::npos);

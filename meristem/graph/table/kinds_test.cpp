@@ -26,7 +26,7 @@ struct Garden {
 const Kinds& work_kinds();
 
 void check_snip(const Snip& snip, const DocumentPath& path, ParameterReader& reader) {
-  if (snip.length > snip.at) reader.fault(DocumentPath(path, "length"), "longer than it has grown");
+  if (snip.length > snip.at) reader.error(DocumentPath(path, "length"), "longer than it has grown");
 }
 template <class Kind>
 void note_place(Kind& kind, const DocumentPath& path, ParameterReader&) {
@@ -77,7 +77,7 @@ const ParameterTable& garden_table() {
 
 struct Result {
   Garden garden;
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
 };
 
 Result read(Value::List work) {
@@ -86,7 +86,7 @@ Result read(Value::List work) {
   const DocumentPath top;
   reader.read(garden_table(), &result.garden, Value::Object{{"work", Value(std::move(work))}},
               DocumentPath(top, "garden"));
-  result.faults = reader.take_diagnostics();
+  result.errors = reader.take_diagnostics();
   return result;
 }
 
@@ -94,15 +94,15 @@ Value snip(int at, double length) { return Value::Object{{"do", "snip"}, {"at", 
 Value bend(Value angle) { return Value::Object{{"angle", std::move(angle)}, {"at", 3}, {"do", "bend"}}; }
 
 /// The only fault.
-Diagnostic fault(Value::List work) {
+Diagnostic error(Value::List work) {
   const Result result = read(std::move(work));
-  EXPECT_EQ(result.faults.size(), 1U);
-  return result.faults.empty() ? Diagnostic{} : result.faults[0];
+  EXPECT_EQ(result.errors.size(), 1U);
+  return result.errors.empty() ? Diagnostic{} : result.errors[0];
 }
 
 TEST(Kinds, ElementsAreReadByTheTableOfTheirKind) {
   const Result result = read({snip(5, 4), bend(90), snip(7, 1)});
-  ASSERT_TRUE(result.faults.empty()) << result.faults[0].text();
+  ASSERT_TRUE(result.errors.empty()) << result.errors[0].text();
   const auto& work = result.garden.work;
   ASSERT_EQ(work.size(), 3U);
   EXPECT_EQ(std::get<Snip>(work[0]).length, 4);
@@ -121,29 +121,29 @@ TEST(Kinds, EachKnowsItsPlaceAmongAllOfThem) {
 
 TEST(Kinds, FaultsNameTheElementAtFault) {
   // A number that is out of range, and a rule that does not hold, behind an element of the other kind.
-  EXPECT_EQ(fault({snip(5, 4), bend(91), snip(7, 1)}).path, "garden.work[1].angle");
-  EXPECT_EQ(fault({bend(9), snip(5, 4), bend(9), snip(3, 4)}).path, "garden.work[3].length");
+  EXPECT_EQ(error({snip(5, 4), bend(91), snip(7, 1)}).path, "garden.work[1].angle");
+  EXPECT_EQ(error({bend(9), snip(5, 4), bend(9), snip(3, 4)}).path, "garden.work[3].length");
 }
 
 TEST(Kinds, MembersOfAnotherKindAreRefused) {
   const Value mixed = Value::Object{{"do", "bend"}, {"at", 3}, {"length", 2}};
-  const Diagnostic found = fault({snip(5, 4), mixed});
+  const Diagnostic found = error({snip(5, 4), mixed});
   EXPECT_EQ(found.path, "garden.work[1].length");
   EXPECT_EQ(found.message, "'length' is not a parameter of a bend");
   EXPECT_NE(found.expected.find("angle"), std::string::npos) << found.expected;
 }
 
 TEST(Kinds, EachRequiresItsOwn) {
-  const Diagnostic found = fault({bend(9), Value::Object{{"do", "snip"}, {"at", 3}}});
+  const Diagnostic found = error({bend(9), Value::Object{{"do", "snip"}, {"at", 3}}});
   EXPECT_EQ(found.path, "garden.work[1]");
   EXPECT_EQ(found.message, "a snip has no 'length'");
 }
 
 TEST(Kinds, AnElementWithoutAKindIsRefused) {
-  EXPECT_EQ(fault({bend(9), Value::Object{{"at", 3}}}).text(),
+  EXPECT_EQ(error({bend(9), Value::Object{{"at", 3}}}).text(),
             "garden.work[1]: a piece of work has no 'do'; expected one of snip, bend");
-  EXPECT_EQ(fault({bend(9), 4}).path, "garden.work[1]");
-  const Diagnostic unknown = fault({bend(9), Value::Object{Value::Member("do", "bent")}});
+  EXPECT_EQ(error({bend(9), 4}).path, "garden.work[1]");
+  const Diagnostic unknown = error({bend(9), Value::Object{Value::Member("do", "bent")}});
   EXPECT_EQ(unknown.path, "garden.work[1].do");
   EXPECT_EQ(unknown.nearest, "bend");
 }

@@ -53,7 +53,7 @@ std::string written(const Value& value) {
 }
 
 /// Returns the missing giver as text: "\"style\": \"tubes\"", or "'crown' beside it".
-std::string wish(const Meaning::Giver& giver) {
+std::string request(const Meaning::Giver& giver) {
   if (giver.values.empty()) return fmt::format("'{}' beside it", giver.parameter);
   std::vector<std::string> values;
   for (const Value& value : giver.values) values.push_back(written(value));
@@ -69,10 +69,10 @@ std::string lack(const Meaning& meaning, const ParameterTable& table, const void
   return fmt::format("where '{}' is {}", giver.parameter, written(present(table, object, giver.parameter)));
 }
 
-std::string wishes(const Meaning& meaning) {
+std::string requests(const Meaning& meaning) {
   if (meaning.givers.empty()) return "no such key";
   std::vector<std::string> texts;
-  for (const Meaning::Giver& giver : meaning.givers) texts.push_back(wish(giver));
+  for (const Meaning::Giver& giver : meaning.givers) texts.push_back(request(giver));
   return fmt::format("{}, or no such key", fmt::join(texts, ", "));
 }
 
@@ -91,8 +91,8 @@ void check_meanings(const ParameterTable& table, const void* object, const Value
     for (const std::string& row_path : meaning.parameters) {
       if (!is_given(row_path)) continue;
       at_path(path, row_path, [&](const DocumentPath& at) {
-        reader.fault_meaning(at, fmt::format("'{}' has no meaning {}", row_path, lack(meaning, table, object)),
-                             wishes(meaning));
+        reader.error_meaning(at, fmt::format("'{}' has no meaning {}", row_path, lack(meaning, table, object)),
+                             requests(meaning));
       });
     }
   }

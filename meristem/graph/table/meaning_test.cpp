@@ -48,7 +48,7 @@ const ParameterTable& pen_table() {
   return table;
 }
 
-std::vector<Diagnostic> faults_in(const Value& value) {
+std::vector<Diagnostic> errors_in(const Value& value) {
   ParameterReader reader({}, Limits{});
   Pen pen;
   reader.read(pen_table(), &pen, value, DocumentPath());
@@ -56,48 +56,48 @@ std::vector<Diagnostic> faults_in(const Value& value) {
 }
 
 /// The path and the words of the only fault.
-std::string fault_of(const Value& value) {
-  const std::vector<Diagnostic> faults = faults_in(value);
-  if (faults.size() != 1) return std::to_string(faults.size()) + " faults";
-  return faults[0].path + ": " + faults[0].message + " (" + faults[0].expected + ")";
+std::string error_of(const Value& value) {
+  const std::vector<Diagnostic> errors = errors_in(value);
+  if (errors.size() != 1) return std::to_string(errors.size()) + " faults";
+  return errors[0].path + ": " + errors[0].message + " (" + errors[0].expected + ")";
 }
 
 using Object = Value::Object;
 
 TEST(Meaning, AParameterOfAnotherChoiceIsAFaultWhateverItsValue) {
-  EXPECT_EQ(fault_of(Object{{"nib", Object{}}}),
+  EXPECT_EQ(error_of(Object{{"nib", Object{}}}),
             "nib: 'nib' has no meaning where 'kind' is \"ball\" (\"kind\": \"fountain\" or \"quill\", or no such key)");
-  EXPECT_EQ(fault_of(Object{{"retracts", false}, {"spring", 1}}),
+  EXPECT_EQ(error_of(Object{{"retracts", false}, {"spring", 1}}),
             "spring: 'spring' has no meaning where 'retracts' is false (\"retracts\": true, or no such key)");
 }
 
 TEST(Meaning, ADefaultGivesItAsAGivenValueDoes) {
-  EXPECT_TRUE(faults_in(Object{{"spring", 2}}).empty());
-  EXPECT_TRUE(faults_in(Object{{"spring", 2}, {"retracts", true}}).empty());
-  EXPECT_TRUE(faults_in(Object{{"nib", Object{}}, {"kind", "quill"}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"spring", 2}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"spring", 2}, {"retracts", true}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"nib", Object{}}, {"kind", "quill"}}).empty());
 }
 
 TEST(Meaning, AnyOfSeveralGiversWillDo) {
-  EXPECT_EQ(fault_of(Object{{"ink", 1}}),
+  EXPECT_EQ(error_of(Object{{"ink", 1}}),
             "ink: 'ink' has no meaning here (\"kind\": \"quill\", 'cartridge' beside it, or no such key)");
-  EXPECT_TRUE(faults_in(Object{{"ink", 1}, {"cartridge", 3}}).empty());
-  EXPECT_TRUE(faults_in(Object{{"ink", 1}, {"kind", "quill"}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"ink", 1}, {"cartridge", 3}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"ink", 1}, {"kind", "quill"}}).empty());
 }
 
 TEST(Meaning, ReachesIntoNestedTables) {
-  EXPECT_EQ(fault_of(Object{{"kind", "fountain"}, {"nib", Object{{"slit", 1}}}}).substr(0, 8), "nib.slit");
-  EXPECT_EQ(fault_of(Object{{"feather", 1}}),
+  EXPECT_EQ(error_of(Object{{"kind", "fountain"}, {"nib", Object{{"slit", 1}}}}).substr(0, 8), "nib.slit");
+  EXPECT_EQ(error_of(Object{{"feather", 1}}),
             "feather: 'feather' has no meaning without 'nib.width' ('nib.width' beside it, or no such key)");
-  EXPECT_TRUE(faults_in(Object{{"kind", "quill"}, {"nib", Object{{"width", 1}}}, {"feather", 1}}).empty());
+  EXPECT_TRUE(errors_in(Object{{"kind", "quill"}, {"nib", Object{{"width", 1}}}, {"feather", 1}}).empty());
 }
 
 TEST(Meaning, WhatNothingGivesAMeaningIsNoRowAndSaysWhy) {
   EXPECT_EQ(pen_table().find("colour"), nullptr);
-  EXPECT_EQ(fault_of(Object{{"colour", 1}}), "colour: 'colour' has no meaning here: ink has it (no such key)");
+  EXPECT_EQ(error_of(Object{{"colour", 1}}), "colour: 'colour' has no meaning here: ink has it (no such key)");
 }
 
 TEST(Meaning, IsNotAskedForWhereTheGiverCouldNotBeRead) {
-  EXPECT_EQ(faults_in(Object{{"kind", "crayon"}, {"nib", Object{}}}).size(), 1U);
+  EXPECT_EQ(errors_in(Object{{"kind", "crayon"}, {"nib", Object{}}}).size(), 1U);
 }
 
 }  // namespace meristem::meaning_test

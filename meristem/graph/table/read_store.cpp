@@ -28,7 +28,7 @@ void ReadStore::end_read() {
   std::erase_if(entries_, is_old);
 }
 
-std::optional<std::uint64_t> ReadStore::file_hash(const std::string& path, std::uint64_t most_bytes) {
+std::optional<std::uint64_t> ReadStore::file_hash(const std::string& path, std::uint64_t max_bytes) {
   const auto known = files_.find(path);
   if (known != files_.end() && known->second.is_checked) {
     known->second.read = read_;
@@ -44,7 +44,7 @@ std::optional<std::uint64_t> ReadStore::file_hash(const std::string& path, std::
   if (is_same) {
     file.hash = known->second.hash;
   } else {
-    file.hash = hash64(read_file(path, most_bytes));
+    file.hash = hash64(read_file(path, max_bytes));
     ++counts_.files_read;
   }
   files_.insert_or_assign(path, file);

@@ -35,7 +35,7 @@ class ReadStore {
   void end_read();
 
   /// Returns the hash of a file's content. Returns nothing if the file is not a plain file. Throws as read_file does.
-  std::optional<std::uint64_t> file_hash(const std::string& path, std::uint64_t most_bytes);
+  std::optional<std::uint64_t> file_hash(const std::string& path, std::uint64_t max_bytes);
 
   /// Returns the result that was kept under the key, or null.
   template <class T>

@@ -80,9 +80,9 @@ std::string_view path_in_component(std::string_view file_path) {
 
 }  // namespace
 
-void ParameterReader::fault(const DocumentPath& path, std::string message, std::string expected, std::string nearest,
+void ParameterReader::error(const DocumentPath& path, std::string message, std::string expected, std::string nearest,
                             int text_offset) {
-  if (++faults_ > limits_.diagnostics) return;
+  if (++errors_ > limits_.diagnostics) return;
   diagnostics_.push_back({.message = std::move(message),
                           .expected = std::move(expected),
                           .nearest = std::move(nearest),
@@ -91,19 +91,19 @@ void ParameterReader::fault(const DocumentPath& path, std::string message, std::
                           .text_offset = text_offset});
 }
 
-void ParameterReader::fault_name(const DocumentPath& path, std::string message, std::string expected,
+void ParameterReader::error_name(const DocumentPath& path, std::string message, std::string expected,
                                  std::string nearest) {
-  fault(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
+  error(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
 }
 
-void ParameterReader::fault_meaning(const DocumentPath& path, std::string message, std::string expected,
+void ParameterReader::error_meaning(const DocumentPath& path, std::string message, std::string expected,
                                     const DocumentPath* other) {
   meaningless_.push_back({path.text(), other == nullptr ? std::string() : other->text()});
-  fault_name(path, std::move(message), std::move(expected), "");
+  error_name(path, std::move(message), std::move(expected), "");
 }
 
 std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
-  if (faults_ >= limits_.diagnostics || names_compared_ + candidates.size() > kMaxNamesCompared) return {};
+  if (errors_ >= limits_.diagnostics || names_compared_ + candidates.size() > kMaxNamesCompared) return {};
   names_compared_ += candidates.size();
   return nearest_name(name, candidates);
 }
@@ -118,14 +118,14 @@ void ParameterReader::warn(const DocumentPath& path, std::string message) {
                           .file = {}});
 }
 
-void ParameterReader::fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
+void ParameterReader::error_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                                   std::string_view limit_name) {
-  if (++faults_ > limits_.diagnostics) return;
+  if (++errors_ > limits_.diagnostics) return;
   diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, path.text()));
 }
 
 void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path) {
-  fault(path, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
+  error(path, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
 }
 
 GivenRows ParameterReader::read(const ParameterTable& table, void* object, const Value& value,
@@ -162,10 +162,10 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
                                   const DocumentPath& path) {
   check_stop();
   GivenRows given;
-  const std::size_t faults_before = faults_;
+  const std::size_t errors_before = errors_;
   const auto finish = [&] {
-    if (table.check && faults_ == faults_before) table.check(object, path, *this);
-    if (table.prepare && faults_ == faults_before) table.prepare(object, path, *this);
+    if (table.check && errors_ == errors_before) table.check(object, path, *this);
+    if (table.prepare && errors_ == errors_before) table.prepare(object, path, *this);
   };
   const Value::Object* members = value.object();
   if (members == nullptr) {
@@ -174,7 +174,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
       bare->read(object, value, path, *this);
       finish();
     } else {
-      fault(path, fmt::format("{} cannot be {}", table.name, value.description()),
+      error(path, fmt::format("{} cannot be {}", table.name, value.description()),
             fmt::format("an object with {}", fmt::join(table.names(), ", ")));
     }
     return given;
@@ -186,13 +186,13 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
     const Parameter* row = table.find(name);
     if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
     if (const std::string* reason = row == nullptr ? table.reason_without(name) : nullptr) {
-      fault_name(member_place, fmt::format("'{}' has no meaning here: {}", name, *reason), "no such key", "");
+      error_name(member_place, fmt::format("'{}' has no meaning here: {}", name, *reason), "no such key", "");
       continue;
     }
     if (row == nullptr) {
       const std::vector<std::string> names = table.names();
       const std::string similar = nearest(name, names);
-      fault_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
+      error_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
                  similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
       continue;
     }
@@ -201,7 +201,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
   }
 
   check_given(table, given, path);
-  if (faults_ == faults_before) check_meanings(table, object, value, path, *this);
+  if (errors_ == errors_before) check_meanings(table, object, value, path, *this);
   finish();
   return given;
 }
@@ -210,14 +210,14 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
 void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path) {
   for (const Parameter& row : table.parameters) {
     if (row.required && !given.contains(row.name)) {
-      fault(path, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
+      error(path, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
     }
   }
   for (const std::vector<std::string>& group : table.one_of) {
     const auto count =
         std::count_if(group.begin(), group.end(), [&](const auto& name) { return given.contains(name); });
     if (count != 1) {
-      fault(path,
+      error(path,
             fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
             "exactly one of them");
     }
@@ -225,7 +225,7 @@ void ParameterReader::check_given(const ParameterTable& table, const GivenRows& 
   for (const ParameterTable::Company& rule : table.company) {
     if (!given.contains(rule.parameter) || given.contains(rule.other) == rule.is_wanted) continue;
     const DocumentPath other(path, rule.other);
-    fault_meaning(
+    error_meaning(
         DocumentPath(path, rule.parameter),
         fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
         rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them",
@@ -236,7 +236,7 @@ void ParameterReader::check_given(const ParameterTable& table, const GivenRows& 
 bool ParameterReader::check_range(const Parameter& parameter, double value, const DocumentPath& path,
                                   std::string_view what) {
   if (is_in_range(parameter.form, value)) return true;
-  fault(path, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name), parameter.expectation());
+  error(path, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name), parameter.expectation());
   return false;
 }
 
@@ -244,13 +244,13 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
                                                       std::span<const std::string> variables) {
   const std::string* text = value.text();
   if (text == nullptr) {
-    fault(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
+    error(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
     return std::nullopt;
   }
   if (expression_paths_ != nullptr) expression_paths_->push_back(path.text());
   try {
     const bool is_of_instance = variables.data() == instance_names().data();
-    const bool has_nearest = faults_ < limits_.diagnostics && names_compared_ <= kMaxNamesCompared;
+    const bool has_nearest = errors_ < limits_.diagnostics && names_compared_ <= kMaxNamesCompared;
     return Expression::compile_in(*text,
                                   {.variables = variables,
                                    .constants = constants(),
@@ -258,15 +258,15 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
                                    .constant_table = &constants_.names(),
                                    .has_nearest = has_nearest},
                                   limits_.expression_bytes);
-  } catch (const ExpressionError& error) {
-    const ExpressionFault& found = error.fault();
+  } catch (const ExpressionError& raised) {
+    const SyntaxError& found = raised.details();
     names_compared_ += variables.size() + constants().size();
     const std::string_view name = name_at(*text, found.offset);
     if (const auto refused = refused_names_.find(name); refused != refused_names_.end()) {
-      fault(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
+      error(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
       return std::nullopt;
     }
-    fault(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
+    error(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
     return std::nullopt;
   }
 }
@@ -282,7 +282,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   check_stop();
   if (const double* plain = value.number()) {
     if (parameter.kind == ParameterKind::integer && !parameter.form.counts && *plain != std::floor(*plain)) {
-      fault(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
+      error(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
       return std::nullopt;
     }
     return check_range(parameter, *plain, path, "the value") ? std::optional(*plain) : std::nullopt;
@@ -294,7 +294,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   if (parameter.form.unit == Unit::hour && value.text()->find(':') != std::string::npos) {
     const std::optional<double> hours = parse_clock_hour(*value.text());
     if (!hours) {
-      fault(path, fmt::format("'{}' is not a time", *value.text()), "hours and minutes such as \"15:30\", or a number");
+      error(path, fmt::format("'{}' is not a time", *value.text()), "hours and minutes such as \"15:30\", or a number");
       return std::nullopt;
     }
     return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;
@@ -302,7 +302,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   const std::optional<Expression> compiled = expression(value, path, instance_names());
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
-    fault(path,
+    error(path,
           fmt::format("'{}' {}, and this expression differs between instances", parameter.name, why_one(parameter)),
           "an expression of numbers and the document's variables");
     return std::nullopt;
@@ -328,7 +328,7 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
     if (!has_form) {
       return wrong_kind(parameter, value, path);
     }
-    fault(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
+    error(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
           parameter.expectation());
     return;
   }
@@ -374,15 +374,15 @@ void ParameterReader::check_members(const Value& value, const DocumentPath& path
   const bool is_keyed = value.find("keys") != nullptr && keyed_.contains(path.text());
   for (const auto& [name, member] : *value.object()) {
     if (is_any_of(name, names) || (is_keyed && name == "keys")) continue;
-    fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
+    error(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
           name == "keys" ? "keys in the document's \"animation\"" : "range or sample, and apply", nearest(name, names));
   }
   const bool has_sample = value.find("sample") != nullptr;
   if (has_sample && value.find("range") != nullptr) {
-    fault(DocumentPath(path, "range"), "a value has both a sample and a range", "one of them");
+    error(DocumentPath(path, "range"), "a value has both a sample and a range", "one of them");
   }
   if (!has_sample && value.find("smooth") != nullptr) {
-    fault(DocumentPath(path, "smooth"), "'smooth' has no meaning without a sample", "'sample' beside it");
+    error(DocumentPath(path, "smooth"), "'smooth' has no meaning without a sample", "'sample' beside it");
   }
 }
 
@@ -416,7 +416,7 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
     wrong_kind(parameter, value, path);
     return std::nullopt;
   }
-  const std::size_t faults_before = faults_;
+  const std::size_t errors_before = errors_;
   if (value.object() != nullptr) check_members(value, path);
   Varying varying{.path = path.text(),
                   .min = parameter.form.min,
@@ -428,7 +428,7 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
   if (range != nullptr) {
     const Value::List* ends = range->list();
     if (ends == nullptr || ends->size() != 2) {
-      fault(path, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
+      error(path, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
             "a list of two numbers");
       return std::nullopt;
     }
@@ -440,7 +440,7 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
     varying.last = last.value_or(0);
   }
   if (has_sample) varying.sample = read_sample(parameter, value, path, *this);
-  if (keys != nullptr && faults_ == faults_before)
+  if (keys != nullptr && errors_ == errors_before)
     varying.keys = std::make_shared<const KeyedRange>(keyed_range(*keys));
   varying.is_rounded = parameter.form.counts && (keys == nullptr || apply != nullptr);
   if (apply != nullptr) {
@@ -448,7 +448,7 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
     varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, instance_names());
     varying.names = instance_names_.size();
   }
-  return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
+  return errors_ == errors_before ? std::optional(std::move(varying)) : std::nullopt;
 }
 
 const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const DocumentPath& path) {
@@ -469,13 +469,13 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, path);
   } catch (const MachineError& error) {
-    fault(path, error.what());
+    error(path, error.what());
   }
 }
 
 std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::string& name, const DocumentPath& path) {
   if (access_.sources == nullptr) {
-    fault(path, "no other documents can be read here", "a document that is read from a file");
+    error(path, "no other documents can be read here", "a document that is read from a file");
     return nullptr;
   }
   try {
@@ -491,7 +491,7 @@ std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::stri
       }
     }
   } catch (const MachineError& error) {
-    fault(path, error.what());
+    error(path, error.what());
   }
   return nullptr;
 }
@@ -512,7 +512,7 @@ void ParameterReader::report(const DocumentPath& path, const Diagnostic& found, 
   if (found.severity == Severity::warning) {
     warn(path, found.message);
   } else {
-    fault(path, found.message, found.expected, found.nearest, text_offset);
+    error(path, found.message, found.expected, found.nearest, text_offset);
   }
 }
 
@@ -567,12 +567,12 @@ void ParameterReader::text_file(const Parameter& parameter, const Value& value, 
   for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), path);
 }
 
-std::string ParameterReader::included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes) {
+std::string ParameterReader::included_text(const std::string& file, const std::string& name, std::uint64_t max_bytes) {
   const std::string file_path = (std::filesystem::path(file).parent_path() / name).string();
   access_.require_within(file_path);
   const bool is_relative = !std::filesystem::path(name).is_absolute();
   name_file({.path = file_path, .is_beside = is_relative && is_below_folder(file)});
-  return read_file(file_path, most_bytes);
+  return read_file(file_path, max_bytes);
 }
 
 /// Records a file that the document names. Errors of hashing are ignored here: reading the file reports them.
@@ -621,7 +621,7 @@ std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, c
   if (given == nullptr) return std::nullopt;
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
   if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
-  fault(path, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
+  error(path, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
         nearest(*given, parameter.choices));
   return std::nullopt;
 }

@@ -77,12 +77,12 @@ class ParameterReader {
                                     const DocumentPath& path);
 
   /// Reports a fault of a value. `text_offset` is the byte within a text value, or -1 for the whole value.
-  void fault(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
+  void error(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
   /// Reports a fault at a member's name instead of its value.
-  void fault_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
+  void error_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
   /// Reports a parameter that has no effect at its position, or no effect beside `other`.
-  void fault_meaning(const DocumentPath& path, std::string message, std::string expected,
+  void error_meaning(const DocumentPath& path, std::string message, std::string expected,
                      const DocumentPath* other = nullptr);
   /// Paths of a parameter without effect, and of the parameter that prevents an effect, if there is one.
   struct Meaningless {
@@ -98,13 +98,13 @@ class ParameterReader {
   /// Adds a warning at a value.
   void warn(const DocumentPath& path, std::string message);
   /// Reports that `wanted` of `what` exceed the limit called `limit_name`.
-  void fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
+  void error_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                    std::string_view limit_name);
   const Limits& limits() const { return limits_; }                             ///< limits of the document
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }  ///< faults and warnings so far
   /// Returns the faults and warnings, and leaves none.
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
-  std::size_t fault_count() const { return faults_; }  ///< number of all faults; diagnostics() may hold fewer
+  std::size_t error_count() const { return errors_; }  ///< number of all faults; diagnostics() may hold fewer
 
   // The functions below are used by tables. Each reports values that it cannot accept.
 
@@ -140,7 +140,7 @@ class ParameterReader {
   const ConstantTable& constant_table() const { return constants_; }
   /// Returns the text of a file that another file includes. The path starts at the folder of the including file. Throws
   /// an InputError.
-  std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);
+  std::string included_text(const std::string& file, const std::string& name, std::uint64_t max_bytes);
   /// Returns all files that were named so far.
   const std::vector<NamedFile>& files() const { return files_; }
 
@@ -240,7 +240,7 @@ class ParameterReader {
   std::unordered_set<std::string> keyed_;       // document paths of numbers with keys
   std::vector<Diagnostic> diagnostics_;
   std::vector<Meaningless> meaningless_;
-  std::size_t faults_ = 0;
+  std::size_t errors_ = 0;
   /// The struct that is being read and that every instance copies: a component's struct, or an element of a list in it.
   struct Holder {
     std::byte* object = nullptr;        // null if no component is read: then no number may vary

@@ -45,11 +45,11 @@ std::vector<double> values_of_file(const Parameter& row, const Value& said, cons
   const Value* column = said.find("column");
   for (const auto& [name, member] : *said.object()) {
     if (name == "file" || name == "column") continue;
-    reader.fault_name(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
+    reader.error_name(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
                       "file and column", reader.nearest(name, std::vector<std::string>{"file", "column"}));
   }
   if (file == nullptr || column == nullptr || column->text() == nullptr) {
-    reader.fault(path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"),
+    reader.error(path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"),
                  kForms);
     return {};
   }
@@ -74,7 +74,7 @@ std::vector<double> values_of_list(const Parameter& row, const Value::List& list
     if (value) values.push_back(*value);
   }
   if (list.empty()) {
-    reader.fault(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
+    reader.error(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
   }
   return values;
 }
@@ -95,7 +95,7 @@ double Sample::quantile(double share) const {
 
 std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& object, const DocumentPath& path,
                                           ParameterReader& reader) {
-  const std::size_t faults_before = reader.fault_count();
+  const std::size_t errors_before = reader.error_count();
   const DocumentPath place(path, "sample");
   const Value& said = *object.find("sample");
   auto sample = std::make_shared<Sample>();
@@ -104,17 +104,17 @@ std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& obj
   } else if (said.object() != nullptr) {
     sample->values = values_of_file(row, said, place, reader);
   } else {
-    reader.fault(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
+    reader.error(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
   }
   if (const Value* smooth = object.find("smooth")) {
     if (smooth->boolean() == nullptr) {
-      reader.fault(DocumentPath(path, "smooth"), fmt::format("'smooth' cannot be {}", smooth->description()),
+      reader.error(DocumentPath(path, "smooth"), fmt::format("'smooth' cannot be {}", smooth->description()),
                    "true or false");
     } else {
       sample->is_smooth = *smooth->boolean();
     }
   }
-  if (reader.fault_count() != faults_before || sample->values.empty()) return nullptr;
+  if (reader.error_count() != errors_before || sample->values.empty()) return nullptr;
   std::sort(sample->values.begin(), sample->values.end());
   return sample;
 }

@@ -30,7 +30,7 @@ struct Rock {
 
 template <class T>
 void check_weight(const T& thing, const DocumentPath& path, ParameterReader& reader) {
-  if (thing.weight == 8.5) reader.fault(path, "too heavy for such a test");
+  if (thing.weight == 8.5) reader.error(path, "too heavy for such a test");
 }
 
 std::string load(const std::string& file_path, const Limits& limits) {
@@ -69,7 +69,7 @@ const ParameterTable& rock_table() {
 struct Result {
   Rock rock;
   std::vector<Varying> varyings;
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
 };
 
 Result read(const Value& value, const std::string& folder = {}) {
@@ -77,13 +77,13 @@ Result read(const Value& value, const std::string& folder = {}) {
   ParameterReader reader({}, Limits{}, {.folder = folder});
   const DocumentPath top;
   result.varyings = reader.read_varying(rock_table(), &result.rock, value, DocumentPath(top, "rock"));
-  result.faults = reader.take_diagnostics();
+  result.errors = reader.take_diagnostics();
   return result;
 }
 
-std::string fault(const Value& value, const std::string& folder = {}) {
+std::string error(const Value& value, const std::string& folder = {}) {
   const Result result = read(value, folder);
-  return result.faults.empty() ? "no fault" : result.faults[0].text();
+  return result.errors.empty() ? "no fault" : result.errors[0].text();
 }
 
 TEST(NestedTable, MayContainItself) {
@@ -93,8 +93,8 @@ TEST(NestedTable, MayContainItself) {
   EXPECT_EQ(rock.pebbles[0].pebbles.at(0).weight, 3);
   EXPECT_EQ(rock.pebbles[0].pebbles.at(1).weight, 4);
   EXPECT_EQ(rock.pebbles[1].weight, 5);
-  const Value deep_fault = Value::Object{{"pebbles", Value::List{Value::Object{{"pebbles", Value::List{-1}}}}}};
-  EXPECT_EQ(fault(deep_fault),
+  const Value deep_error = Value::Object{{"pebbles", Value::List{Value::Object{{"pebbles", Value::List{-1}}}}}};
+  EXPECT_EQ(error(deep_error),
             "rock.pebbles[0].pebbles[0]: the value -1 is out of range for 'weight'; expected a number from 0 to 9");
   EXPECT_TRUE(rock_table().contains_itself());
   EXPECT_EQ(rock_table().defaults().size(), rock_table().parameters.size());
@@ -108,16 +108,16 @@ TEST(NestedTable, MapsKeepTheirNamesInOrder) {
   EXPECT_EQ(rock.named[2].second.weight, 3);
   const Value shown = rock_table().find("named")->show(&rock);
   EXPECT_EQ(shown.find("a b")->find("weight")->number()[0], 2);
-  EXPECT_EQ(fault(Value::Object{{"named", Value::Object{{"z", 99}}}}),
+  EXPECT_EQ(error(Value::Object{{"named", Value::Object{{"z", 99}}}}),
             "rock.named.z: the value 99 is out of range for 'weight'; expected a number from 0 to 9");
-  EXPECT_EQ(fault(Value::Object{{"named", Value::List{}}}).substr(0, 48),
+  EXPECT_EQ(error(Value::Object{{"named", Value::List{}}}).substr(0, 48),
             "rock.named: 'named' cannot be an empty list; exp");
 }
 
 // The rock as the k-th of three siblings has it.
 Rock instance(const Value& value, std::uint32_t k) {
   const Result result = read(value);
-  EXPECT_TRUE(result.faults.empty()) << result.faults[0].text();
+  EXPECT_TRUE(result.errors.empty()) << result.errors[0].text();
   Site site;
   site.i = k;
   site.n = 3;
@@ -156,7 +156,7 @@ TEST(NestedTable, EachElementDrawsForItself) {
 
 TEST(NestedTable, WhatIsFixedIsOneNumberInListsToo) {
   EXPECT_EQ(
-      fault(Value::Object{{"pebbles", Value::List{Value::Object{{"age", "1 + i"}}}}}),
+      error(Value::Object{{"pebbles", Value::List{Value::Object{{"age", "1 + i"}}}}}),
       "rock.pebbles[0].age: 'age' is one number for all instances, and this expression differs between instances; "
       "expected an expression of numbers and the document's variables");
 }
@@ -166,13 +166,13 @@ TEST(NestedTable, NothingVariesOutsideOfComponents) {
   ParameterReader reader({}, Limits{});
   const DocumentPath top;
   reader.read(rock_table(), &rock, Value::Object{{"pebbles", Value::List{Value(Value::List{1, 2})}}}, top);
-  ASSERT_EQ(reader.fault_count(), 1U);
+  ASSERT_EQ(reader.error_count(), 1U);
   EXPECT_EQ(reader.diagnostics()[0].message,
             "'weight' is one number (only those of components vary) and cannot be a list of 2");
 }
 
 TEST(NestedTable, RulesAreCheckedAtAnyDepth) {
-  const auto faults = [](const Rock& rock) {
+  const auto errors = [](const Rock& rock) {
     ParameterReader reader({}, Limits{});
     const DocumentPath top;
     rock_table().check_all(&rock, DocumentPath(top, "rock"), reader);
@@ -184,11 +184,11 @@ TEST(NestedTable, RulesAreCheckedAtAnyDepth) {
   rock.pebbles.resize(2);
   rock.pebbles[1].pebbles.resize(1);
   rock.named.emplace_back("sand", Grain{});
-  EXPECT_EQ(faults(rock), std::vector<std::string>());
+  EXPECT_EQ(errors(rock), std::vector<std::string>());
   rock.weight = 8.5;
   rock.pebbles[1].pebbles[0].weight = 8.5;
   rock.named[0].second.weight = 8.5;
-  EXPECT_EQ(faults(rock), (std::vector<std::string>{"rock", "rock.pebbles[1].pebbles[0]", "rock.named.sand"}));
+  EXPECT_EQ(errors(rock), (std::vector<std::string>{"rock", "rock.pebbles[1].pebbles[0]", "rock.named.sand"}));
 }
 
 TEST(BoxRow, TakesTwoCorners) {
@@ -199,12 +199,12 @@ TEST(BoxRow, TakesTwoCorners) {
   EXPECT_EQ(rock_table().find("box")->show(&rock), Value(Value::List{Value::List{-1, 0, 2}, Value::List{1, 2, 3}}));
   const Rock without;
   EXPECT_TRUE(rock_table().find("box")->show(&without).is_null());
-  EXPECT_EQ(fault(Value::Object{{"box", Value::List{1, 2}}}).substr(0, 11), "rock.box[0]");
+  EXPECT_EQ(error(Value::Object{{"box", Value::List{1, 2}}}).substr(0, 11), "rock.box[0]");
   EXPECT_EQ(
-      fault(Value::Object{{"box", Value::List{Value(Value::List{1, 2, 3})}}}),
+      error(Value::Object{{"box", Value::List{Value(Value::List{1, 2, 3})}}}),
       "rock.box: 'box' cannot be a list of 1; expected two corners, the lower first, such as [[-1, 0, -1], [1, 2, 1]]");
   EXPECT_NE(
-      fault(Value::Object{{"box", Value::List{Value::List{1, 2, 3}, Value::List{1, 20, 3}}}}).find("rock.box[1][1]"),
+      error(Value::Object{{"box", Value::List{Value::List{1, 2, 3}, Value::List{1, 20, 3}}}}).find("rock.box[1][1]"),
       std::string::npos);
 }
 
@@ -231,16 +231,16 @@ TEST_F(FileRow, IsReadFromTheFolderAndSharedByCopies) {
 }
 
 TEST_F(FileRow, FaultsNameBothPlaces) {
-  EXPECT_EQ(fault(Value::Object{{"file", "bad.txt"}}, folder_.string()), "rock.file: 'bad.txt:3:4': bad text");
-  EXPECT_EQ(fault(Value::Object{{"file", "broken.txt"}}, folder_.string()), "rock.file: cannot read it");
-  EXPECT_EQ(fault(Value::Object{{"file", 7}}), "rock.file: 'file' cannot be the number 7; expected the path of a file");
+  EXPECT_EQ(error(Value::Object{{"file", "bad.txt"}}, folder_.string()), "rock.file: 'bad.txt:3:4': bad text");
+  EXPECT_EQ(error(Value::Object{{"file", "broken.txt"}}, folder_.string()), "rock.file: cannot read it");
+  EXPECT_EQ(error(Value::Object{{"file", 7}}), "rock.file: 'file' cannot be the number 7; expected the path of a file");
 }
 
 TEST_F(FileRow, RowsMayNeedOrExcludeIt) {
-  EXPECT_EQ(fault(Value::Object{{"file", "a.txt"}, {"turn", 2}}, folder_.string()), "no fault");
-  EXPECT_EQ(fault(Value::Object{{"turn", 2}}),
+  EXPECT_EQ(error(Value::Object{{"file", "a.txt"}, {"turn", 2}}, folder_.string()), "no fault");
+  EXPECT_EQ(error(Value::Object{{"turn", 2}}),
             "rock.turn: 'turn' has no meaning without 'file'; expected 'file' beside it");
-  EXPECT_EQ(fault(Value::Object{{"file", "a.txt"}, {"weight", 2}}, folder_.string()),
+  EXPECT_EQ(error(Value::Object{{"file", "a.txt"}, {"weight", 2}}, folder_.string()),
             "rock.weight: 'weight' has no meaning beside 'file'; expected only one of them");
 }
 

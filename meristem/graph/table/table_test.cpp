@@ -78,7 +78,7 @@ const ParameterTable& flower_table() {
 
 struct Read {
   Flower flower;
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
 };
 
 Read read(const Value& value, std::vector<ExpressionNames::Constant> variables = {}) {
@@ -86,7 +86,7 @@ Read read(const Value& value, std::vector<ExpressionNames::Constant> variables =
   ParameterReader reader(std::move(variables), Limits{});
   const DocumentPath top;
   reader.read(flower_table(), &result.flower, value, DocumentPath(top, "flower"));
-  result.faults = reader.take_diagnostics();
+  result.errors = reader.take_diagnostics();
   return result;
 }
 
@@ -94,19 +94,19 @@ Read read_member(const char* name, Value value) { return read(Value::Object{{nam
 
 Flower good(const char* name, Value value) {
   Read result = read_member(name, std::move(value));
-  EXPECT_TRUE(result.faults.empty()) << result.faults[0].text();
+  EXPECT_TRUE(result.errors.empty()) << result.errors[0].text();
   return result.flower;
 }
 
 Value shown(const char* name, const Flower& flower = {}) { return flower_table().find(name)->show(&flower); }
 
 // Returns the single fault of a member, which must lie at `path`.
-Diagnostic fault(const char* name, Value value, std::string_view path) {
+Diagnostic error(const char* name, Value value, std::string_view path) {
   const Read result = read_member(name, std::move(value));
-  EXPECT_EQ(result.faults.size(), 1U) << name;
-  if (result.faults.empty()) return {};
-  EXPECT_EQ(result.faults[0].path, path) << result.faults[0].text();
-  return result.faults[0];
+  EXPECT_EQ(result.errors.size(), 1U) << name;
+  if (result.errors.empty()) return {};
+  EXPECT_EQ(result.errors[0].path, path) << result.errors[0].text();
+  return result.errors[0];
 }
 
 TEST(Table, NumbersAreReadInDocumentUnits) {
@@ -157,7 +157,7 @@ TEST(Table, WhatIsShownIsReadBackAsItWas) {
       {"sepal", Value::Object{{"length", 1}, {"veins", 2}}},
       {"whorls", Value::List{Value::Object{{"length", 5}, {"veins", 9}}}}};
   const Read result = read(written);
-  ASSERT_TRUE(result.faults.empty()) << result.faults[0].text();
+  ASSERT_TRUE(result.errors.empty()) << result.errors[0].text();
   for (const auto& [name, value] : written) EXPECT_EQ(shown(name.c_str(), result.flower), value) << name;
 }
 
@@ -184,58 +184,58 @@ TEST(Table, AMemberOfTheWrongKindIsNamedWithWhatIsExpected) {
                             {"omit", "all"},
                             {"whorls", Value::Object{}}};
   for (const auto& [name, value] : wrong) {
-    const Diagnostic found = fault(name.c_str(), value, "flower." + name);
+    const Diagnostic found = error(name.c_str(), value, "flower." + name);
     EXPECT_NE(found.message.find("'" + name + "'"), std::string::npos) << found.text();
     EXPECT_FALSE(found.expected.empty()) << found.text();
   }
-  EXPECT_EQ(fault("petal", Value::List{}, "flower.petal").message,
+  EXPECT_EQ(error("petal", Value::List{}, "flower.petal").message,
             "'length' is one number (only those of components vary) and cannot be an empty list");
-  EXPECT_EQ(fault("height", true, "flower.height").text(),
+  EXPECT_EQ(error("height", true, "flower.height").text(),
             "flower.height: 'height' cannot be true; expected a number (m) above 0 to 1");
 }
 
 TEST(Table, NumbersOutOfRangeAreRejected) {
-  EXPECT_EQ(fault("height", 0, "flower.height").message, "the value 0 is out of range for 'height'");
-  fault("height", 1.5, "flower.height");
-  fault("turn", -361, "flower.turn");
-  fault("age", -0.1, "flower.age");
-  fault("petals", 51, "flower.petals");
-  fault("petals", 2.5, "flower.petals");
-  fault("bend", Value::List{0, 91, 0}, "flower.bend[1]");
-  fault("size", Value::List{0, 5}, "flower.size[0]");
-  fault("profile", Value::List{Value(Value::List{1, 10})}, "flower.profile[0][1]");
+  EXPECT_EQ(error("height", 0, "flower.height").message, "the value 0 is out of range for 'height'");
+  error("height", 1.5, "flower.height");
+  error("turn", -361, "flower.turn");
+  error("age", -0.1, "flower.age");
+  error("petals", 51, "flower.petals");
+  error("petals", 2.5, "flower.petals");
+  error("bend", Value::List{0, 91, 0}, "flower.bend[1]");
+  error("size", Value::List{0, 5}, "flower.size[0]");
+  error("profile", Value::List{Value(Value::List{1, 10})}, "flower.profile[0][1]");
   EXPECT_EQ(good("turn", 360).turn, static_cast<float>(2 * kPi));  // the bound itself is allowed
 }
 
 TEST(Table, SecondNumbersOfPointsHaveARangeOfTheirOwn) {
   const auto points = [](double first, double second) { return Value::List{Value(Value::List{first, second})}; };
   EXPECT_EQ(good("side", points(1, -2)).side[0], Vec2(1, -2));
-  EXPECT_EQ(fault("side", points(1.445, 0), "flower.side[0][0]").message, "the value 1.445 is out of range for 'side'");
-  fault("side", points(-0.1, 0), "flower.side[0][0]");
-  EXPECT_EQ(fault("side", points(1, 2.5), "flower.side[0][1]").expected, "a number from -2 to 2");
+  EXPECT_EQ(error("side", points(1.445, 0), "flower.side[0][0]").message, "the value 1.445 is out of range for 'side'");
+  error("side", points(-0.1, 0), "flower.side[0][0]");
+  EXPECT_EQ(error("side", points(1, 2.5), "flower.side[0][1]").expected, "a number from -2 to 2");
   EXPECT_EQ(flower_table().find("side")->expectation(),
             "a list of pairs of a number from 0 to 1 and a number from -2 to 2");
 }
 
 TEST(Table, NumbersThatDoNotFitAFloatAreRejectedWhereAFloatIsStored) {
-  fault("target", Value::List{0, 1e300, 0}, "flower.target[1]");
-  fault("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1e300})}}}, "flower.outline.curve[0][1]");
+  error("target", Value::List{0, 1e300, 0}, "flower.target[1]");
+  error("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1e300})}}}, "flower.outline.curve[0][1]");
 }
 
 TEST(Table, AnUnknownNameIsReportedWithTheNearestOne) {
-  const Diagnostic found = fault("heigth", 1, "flower.heigth");
+  const Diagnostic found = error("heigth", 1, "flower.heigth");
   EXPECT_EQ(found.message, "'heigth' is not a parameter of a flower");
   EXPECT_EQ(found.nearest, "height");
   EXPECT_EQ(found.text_offset, kAtName);
-  EXPECT_EQ(fault("petal", Value::Object{{"lenght", 1}}, "flower.petal.lenght").nearest, "length");
-  const Diagnostic strange = fault("zzzzzz", 1, "flower.zzzzzz");
+  EXPECT_EQ(error("petal", Value::Object{{"lenght", 1}}, "flower.petal.lenght").nearest, "length");
+  const Diagnostic strange = error("zzzzzz", 1, "flower.zzzzzz");
   EXPECT_TRUE(strange.nearest.empty());
   EXPECT_NE(strange.expected.find("one of height, turn"), std::string::npos);
 }
 
 TEST(Table, AnUnknownChoiceIsReportedWithTheNearestOne) {
   EXPECT_EQ(good("kind", "double").kind, Flower::Kind::double_flower);
-  const Diagnostic found = fault("kind", "dubble", "flower.kind");
+  const Diagnostic found = error("kind", "dubble", "flower.kind");
   EXPECT_EQ(found.nearest, "double");
   EXPECT_EQ(found.expected, "one of single, double");
 }
@@ -244,7 +244,7 @@ TEST(Table, ColoursAreSixHexadecimalDigits) {
   const Vec3 colour = good("colour", "#6B8e23").colour;
   EXPECT_EQ(colour, Vec3(0x6b, 0x8e, 0x23) / 255.0F);
   for (const char* wrong : {"6b8e23", "#6b8e2", "#6b8e234", "#6b8e2g", "red", ""})
-    fault("colour", wrong, "flower.colour");
+    error("colour", wrong, "flower.colour");
 }
 
 TEST(Table, CurvesNeedPointsThatRiseWithinZeroToOne) {
@@ -252,21 +252,21 @@ TEST(Table, CurvesNeedPointsThatRiseWithinZeroToOne) {
     return Value(Value::Object{{"curve", Value::List(points.begin(), points.end())}});
   };
   EXPECT_EQ(good("outline", curve({{0, 0}, {1, 2}})).outline, Curve({{0, 0}, {1, 2}}));
-  fault("outline", curve({{0.5, 0}, {0.5, 1}}), "flower.outline.curve[1]");
-  fault("outline", curve({{0, 0}, {1.5, 1}}), "flower.outline.curve[1]");
-  fault("outline", curve({}), "flower.outline.curve");
-  fault("outline", curve({{0, 0, 0}}), "flower.outline.curve[0]");
-  EXPECT_EQ(fault("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1})}}, {"kind", "splin"}},
+  error("outline", curve({{0.5, 0}, {0.5, 1}}), "flower.outline.curve[1]");
+  error("outline", curve({{0, 0}, {1.5, 1}}), "flower.outline.curve[1]");
+  error("outline", curve({}), "flower.outline.curve");
+  error("outline", curve({{0, 0, 0}}), "flower.outline.curve[0]");
+  EXPECT_EQ(error("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1})}}, {"kind", "splin"}},
                   "flower.outline.kind")
                 .nearest,
             "spline");
-  fault("outline", Value::Object{{"curv", Value::List{Value(Value::List{0, 1})}}}, "flower.outline.curv");
-  fault("outline", Value::Object{}, "flower.outline");
+  error("outline", Value::Object{{"curv", Value::List{Value(Value::List{0, 1})}}}, "flower.outline.curv");
+  error("outline", Value::Object{}, "flower.outline");
 }
 
 TEST(Table, ConditionsAreExpressionsOverTheirNames) {
   EXPECT_EQ(good("where", "u < order").where->text, "u < order");
-  const Diagnostic found = fault("where", "u < oder", "flower.where");
+  const Diagnostic found = error("where", "u < oder", "flower.where");
   EXPECT_EQ(found.nearest, "order");
   EXPECT_EQ(found.text_offset, 4);
 }
@@ -276,8 +276,8 @@ TEST(Table, FormulasAreNumbersOrExpressionsOverTheirNames) {
   EXPECT_EQ(good("wave", "s*u").wave->expression.evaluate(names), 1.5);
   EXPECT_EQ(good("wave", 0.1).wave->expression.evaluate(names), 0.1);
   EXPECT_EQ(good("wave", -1e-20).wave->expression.evaluate(names), -1e-20);
-  EXPECT_EQ(fault("wave", "s*v", "flower.wave").text_offset, 2);
-  EXPECT_NE(fault("wave", true, "flower.wave").expected.find("a number, or an expression over s, u"),
+  EXPECT_EQ(error("wave", "s*v", "flower.wave").text_offset, 2);
+  EXPECT_NE(error("wave", true, "flower.wave").expected.find("a number, or an expression over s, u"),
             std::string::npos);
 }
 
@@ -293,18 +293,18 @@ TEST(Table, SelectionsHoldNumbersRangesAndConditions) {
   for (const char* const no_answer : {"1 / (0*i)", "0 / (0*i)"}) {
     EXPECT_FALSE(good("omit", Value::List{no_answer}).omit->contains(Site(), 0)) << no_answer;
   }
-  fault("omit", Value::List{-1}, "flower.omit[0]");
-  fault("omit", Value::List{1, 2.5}, "flower.omit[1]");
-  fault("omit", Value::List{Value(Value::List{1, 2, 3})}, "flower.omit[0]");
-  fault("omit", Value::List{Value(Value::List{5, 3})}, "flower.omit[0]");
-  fault("omit", Value::List{"i ="}, "flower.omit[0]");
+  error("omit", Value::List{-1}, "flower.omit[0]");
+  error("omit", Value::List{1, 2.5}, "flower.omit[1]");
+  error("omit", Value::List{Value(Value::List{1, 2, 3})}, "flower.omit[0]");
+  error("omit", Value::List{Value(Value::List{5, 3})}, "flower.omit[0]");
+  error("omit", Value::List{"i ="}, "flower.omit[0]");
 }
 
 TEST(Table, ABareValueSetsTheShorthand) {
   EXPECT_EQ(good("petal", 7).petal.length, 7);
   EXPECT_EQ(good("petal", Value::Object{{"veins", 4}}).petal.veins, 4);
   EXPECT_EQ(good("sepal", 1).sepal->veins, 3);
-  fault("petal", 11, "flower.petal");
+  error("petal", 11, "flower.petal");
 }
 
 TEST(Table, ListsReadEachElementAndReportItsIndex) {
@@ -312,13 +312,13 @@ TEST(Table, ListsReadEachElementAndReportItsIndex) {
   ASSERT_EQ(flower.whorls.size(), 2U);
   EXPECT_EQ(flower.whorls[0].length, 1);
   EXPECT_EQ(flower.whorls[1].veins, 2);
-  fault("whorls", Value::List{1, Value::Object{{"veins", 99}}}, "flower.whorls[1].veins");
+  error("whorls", Value::List{1, Value::Object{{"veins", 99}}}, "flower.whorls[1].veins");
 }
 
 TEST(Table, ExpressionsOfVariablesStandForFixedNumbers) {
   const Read result =
       read(Value::Object{{"height", "age / 10"}, {"turn", "45 * 2"}, {"petals", "age * 1.5"}}, {{"age", 5}});
-  ASSERT_TRUE(result.faults.empty()) << result.faults[0].text();
+  ASSERT_TRUE(result.errors.empty()) << result.errors[0].text();
   EXPECT_EQ(result.flower.height, 0.5);
   EXPECT_FLOAT_EQ(result.flower.turn, static_cast<float>(kPi / 2));
   EXPECT_EQ(result.flower.petals, 8);  // 7.5, rounded
@@ -327,16 +327,16 @@ TEST(Table, ExpressionsOfVariablesStandForFixedNumbers) {
 TEST(Table, WhatDiffersBetweenInstancesIsRejectedForPlainStructs) {
   for (const Value& value : {Value("0.1 * i"), Value("rand()"), Value(Value::List{0.1, 0.2}),
                              Value(Value::Object{{"range", Value::List{0.1, 0.2}}})}) {
-    EXPECT_EQ(fault("height", value, "flower.height").message.find("'height' is one number (only those of components"),
+    EXPECT_EQ(error("height", value, "flower.height").message.find("'height' is one number (only those of components"),
               0U);
   }
 }
 
 TEST(Table, ExpressionsWithoutAFiniteValueAreRejected) {
-  EXPECT_EQ(fault("height", "0 / 0", "flower.height").message.find("the expression's value"), 0U);
-  fault("height", "log(0)", "flower.height");
-  fault("age", "1 / 0", "flower.age");
-  EXPECT_EQ(fault("height", "0.1 +", "flower.height").text_offset, 5);
+  EXPECT_EQ(error("height", "0 / 0", "flower.height").message.find("the expression's value"), 0U);
+  error("height", "log(0)", "flower.height");
+  error("age", "1 / 0", "flower.age");
+  EXPECT_EQ(error("height", "0.1 +", "flower.height").text_offset, 5);
 }
 
 struct Pair {
@@ -345,7 +345,7 @@ struct Pair {
   double c = 0;
 };
 
-std::vector<Diagnostic> pair_faults(const Value& value) {
+std::vector<Diagnostic> pair_errors(const Value& value) {
   static const ParameterTable table =
       Table<Pair>("a pair", "Two of three.")
           .number("a", &Pair::a, {.min = 0, .max = 9}, "A.")
@@ -355,7 +355,7 @@ std::vector<Diagnostic> pair_faults(const Value& value) {
           .one_of({"b", "c"})
           .elsewhere({"type"})
           .check([](const Pair& pair, const DocumentPath& path, ParameterReader& reader) {
-            if (pair.a > 5) reader.fault(DocumentPath(path, "a"), "too large");
+            if (pair.a > 5) reader.error(DocumentPath(path, "a"), "too large");
           });
   Pair pair;
   ParameterReader reader({}, Limits{});
@@ -364,24 +364,24 @@ std::vector<Diagnostic> pair_faults(const Value& value) {
 }
 
 TEST(Table, RequiredMembersAndExactlyOneOfAGroup) {
-  EXPECT_TRUE(pair_faults(Value::Object{{"a", 1}, {"b", 2}, {"type", "x"}}).empty());
-  const auto missing = pair_faults(Value::Object{{"c", 2}});
+  EXPECT_TRUE(pair_errors(Value::Object{{"a", 1}, {"b", 2}, {"type", "x"}}).empty());
+  const auto missing = pair_errors(Value::Object{{"c", 2}});
   ASSERT_EQ(missing.size(), 1U);
   EXPECT_EQ(missing[0].message, "a pair has no 'a'");
-  const auto none = pair_faults(Value::Object{{"a", 1}});
+  const auto none = pair_errors(Value::Object{{"a", 1}});
   ASSERT_EQ(none.size(), 1U);
   EXPECT_EQ(none[0].message, "a pair has none of b, c");
-  const auto both = pair_faults(Value::Object{{"a", 1}, {"b", 1}, {"c", 1}});
+  const auto both = pair_errors(Value::Object{{"a", 1}, {"b", 1}, {"c", 1}});
   ASSERT_EQ(both.size(), 1U);
   EXPECT_EQ(both[0].message, "a pair has more than one of b, c");
-  EXPECT_EQ(pair_faults(3).at(0).message, "a pair cannot be the number 3");
+  EXPECT_EQ(pair_errors(3).at(0).message, "a pair cannot be the number 3");
 }
 
 TEST(Table, RulesAreCheckedOnlyWhenAllCouldBeRead) {
-  EXPECT_EQ(pair_faults(Value::Object{{"a", 6}, {"b", 1}}).at(0).message, "too large");
-  const auto faults = pair_faults(Value::Object{{"a", 6}, {"b", "?"}});
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].path, "b");
+  EXPECT_EQ(pair_errors(Value::Object{{"a", 6}, {"b", 1}}).at(0).message, "too large");
+  const auto errors = pair_errors(Value::Object{{"a", 6}, {"b", "?"}});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "b");
 }
 
 struct Sum {
@@ -394,7 +394,7 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
           .number("a", &Sum::a, {.min = 0}, "A.")
           .number("b", &Sum::b, {}, "B.")
           .check([](const Sum& sum, const DocumentPath& path, ParameterReader& reader) {
-            if (sum.b < 0) reader.fault(DocumentPath(path, "b"), "below 0");
+            if (sum.b < 0) reader.error(DocumentPath(path, "b"), "below 0");
           })
           .prepare([](Sum& sum, const DocumentPath&, ParameterReader&) { sum.sum = sum.a + sum.b; });
   const auto sum_of = [](const Value& value) {
@@ -419,7 +419,7 @@ TEST(Table, TellsWhichRowsAValueGave) {
   EXPECT_FALSE(given.contains("height") || given.contains("length"));
   EXPECT_TRUE(reader.read(flower_table(), &flower, Value::Object{}, top).is_empty());
   EXPECT_TRUE(reader.read(petal_table(), &flower.petal, 3, top).contains("length"));  // by the shorthand
-  EXPECT_EQ(reader.fault_count(), 0U);
+  EXPECT_EQ(reader.error_count(), 0U);
 }
 
 TEST(Table, CopiesTheRowsThatWereGivenAndNoOthers) {
@@ -447,7 +447,7 @@ TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {
   Value::Object members;
   for (int k = 0; k < 10; ++k) members.emplace_back("wrong" + std::to_string(k), k);
   reader.read(flower_table(), &flower, members, DocumentPath());
-  EXPECT_EQ(reader.fault_count(), 10U);
+  EXPECT_EQ(reader.error_count(), 10U);
   EXPECT_EQ(reader.diagnostics().size(), 3U);
 }
 

@@ -94,12 +94,12 @@ TEST(Varying, AnglesVaryInDegrees) {
 
 TEST(Varying, ResultsThatAreNotFiniteAreInputErrorsAtTheParameter) {
   for (const char* text : {"1 / (i - 2)", "log(-i)", "0 / i"}) {
-    const auto faults = faults_of([&] { lengths(text); });
-    ASSERT_EQ(faults.size(), 1U) << text;
-    EXPECT_EQ(faults[0].path, "components.stick.length");
-    EXPECT_NE(faults[0].message.find(text), std::string::npos) << faults[0].message;
+    const auto errors = errors_of([&] { lengths(text); });
+    ASSERT_EQ(errors.size(), 1U) << text;
+    EXPECT_EQ(errors[0].path, "components.stick.length");
+    EXPECT_NE(errors[0].message.find(text), std::string::npos) << errors[0].message;
   }
-  const auto nested = faults_of([] {
+  const auto nested = errors_of([] {
     five_sticks({{"frame", Value::Object{{"rotate", Value::List{0, "1 / i", 0}}}}}).grow();
   });
   ASSERT_EQ(nested.size(), 1U);
@@ -108,8 +108,8 @@ TEST(Varying, ResultsThatAreNotFiniteAreInputErrorsAtTheParameter) {
 
 TEST(Varying, FaultsInAValueAreRejectedWithTheirPlace) {
   const auto path_of = [](Value value) {
-    const auto faults = faults_of([&] { five_sticks({{"length", std::move(value)}}); });
-    return faults.size() == 1 ? faults[0].path : "not one fault";
+    const auto errors = errors_of([&] { five_sticks({{"length", std::move(value)}}); });
+    return errors.size() == 1 ? errors[0].path : "not one fault";
   };
   EXPECT_EQ(path_of(Value::List{1, 2, 3}), "components.stick.length");
   EXPECT_EQ(path_of(Value::List{1, 11}), "components.stick.length[1]");

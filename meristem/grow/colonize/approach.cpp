@@ -8,11 +8,11 @@
 namespace meristem {
 std::optional<Vec3> nearest_of(std::span<const Vec3> points, Vec3 root) {
   std::optional<Vec3> nearest;
-  double least2 = std::numeric_limits<double>::infinity();
+  double min2 = std::numeric_limits<double>::infinity();
   for (const Vec3 point : points) {
     const double distance2 = squared_length(DVec3(point) - DVec3(root));
-    if (distance2 >= least2) continue;
-    least2 = distance2;
+    if (distance2 >= min2) continue;
+    min2 = distance2;
     nearest = point;
   }
   return nearest;

@@ -32,7 +32,7 @@ struct ColonizeParameters {
   LightResponse light;     ///< response to the light of the scene and to shade
   Finish finish;           ///< post-processing of the finished skeleton
   PipeModel radii;         ///< radii of the finished skeleton
-  TraceWish wish;          ///< parts to record: steps and points
+  TraceRequest request;    ///< parts to record: steps and points
 };
 
 /// The begin of one tree and the points that it brings into the stand (world space).

@@ -356,12 +356,12 @@ TEST(Colonize, AStraightStemGrowsToAFarCrown) {
 
 TEST(Colonize, ACrownOutOfReachIsAnErrorThatNamesIterations) {
   const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 16};
-  const Diagnostic fault = only_diagnostic([&] { grow({{3, 4, 0}}, parameters); });
-  EXPECT_EQ(fault.path, "components.tree.iterations");
-  EXPECT_EQ(fault.message,
+  const Diagnostic error = only_diagnostic([&] { grow({{3, 4, 0}}, parameters); });
+  EXPECT_EQ(error.path, "components.tree.iterations");
+  EXPECT_EQ(error.message,
             "the crown is out of reach: its nearest point is 5 m from the root, 16 steps of 0.25 m before it is within "
             "the influence distance of 1 m");
-  EXPECT_EQ(fault.expected, "more than 16 iterations, a longer step, or a crown nearer to the root");
+  EXPECT_EQ(error.expected, "more than 16 iterations, a longer step, or a crown nearer to the root");
   ColonizeParameters enough = parameters;
   enough.iterations = 17;
   EXPECT_EQ(grow({{3, 4, 0}}, enough).node_count(), 18U);

@@ -54,17 +54,17 @@ Skeleton ColonizeTrace::standing_after(int step, const Scene& scene, Progress& p
   return join_skeletons(std::move(finished));
 }
 
-StepMarks ColonizeTrace::marks_of(int step, TraceWish wish, const Progress& progress) const {
+StepMarks ColonizeTrace::marks_of(int step, TraceRequest request, const Progress& progress) const {
   StepMarks marks;
-  if (!wish.has(TracePart::points) && !wish.has(TracePart::pulls)) return marks;
+  if (!request.has(TracePart::points) && !request.has(TracePart::pulls)) return marks;
   std::vector<TracedPlace> points;
   for (const TracedTree& tree : trees_) {
     progress.check();
     const std::vector<TracedPlace> own = tree.points.at(step, tree.origin);
     points.insert(points.end(), own.begin(), own.end());
   }
-  if (wish.has(TracePart::pulls)) marks.pulls = pulls(step, points, progress);
-  if (wish.has(TracePart::points)) marks.points = std::move(points);
+  if (request.has(TracePart::pulls)) marks.pulls = pulls(step, points, progress);
+  if (request.has(TracePart::points)) marks.points = std::move(points);
   return marks;
 }
 

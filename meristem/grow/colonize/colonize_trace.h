@@ -31,7 +31,7 @@ class ColonizeTrace : public GrowthTrace {
  private:
   Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
   /// Returns the points, and the pulls on these trees' nodes in the next step.
-  StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
+  StepMarks marks_of(int step, TraceRequest request, const Progress& progress) const override;
   std::vector<TracedWay> pulls(int step, const std::vector<TracedPlace>& points, const Progress& progress) const;
 
   ColonizeParameters parameters_;

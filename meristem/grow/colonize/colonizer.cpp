@@ -5,7 +5,7 @@
 //
 // Two deviations from the source ensure that growth ends. First, a child at the position of an existing child is
 // rotated at random; points balanced on both sides would otherwise pull a node in one direction forever. The rotation
-// grows with each attempt, up to kMostTurns times. Second, growth stops after kBarrenSteps steps in which no point was
+// grows with each attempt, up to kMaxTurns times. Second, growth stops after kBarrenSteps steps in which no point was
 // removed or came nearer to the tree.
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::size_t kTreesAtOnce = 4;
 constexpr int kBarrenSteps = 30;
-constexpr int kMostTurns = 4;
+constexpr int kMaxTurns = 4;
 // Length of the random vector that is added to the unit direction at a node's first turn; doubled at its second turn,
 // and so on. Without turns, a tree of 900 points and 6,200 nodes leaves 56 points unreached; with them it reaches all
 // points with 3 % more nodes. A value of 0.25 makes three times as many narrow forks.
@@ -177,7 +177,7 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
     if (places_.is_free(skeleton_, pull.node, point)) return point;
   }
   // Rotate the blocked direction, or skip the node in this step.
-  if (turns_[pull.node] == kMostTurns) return std::nullopt;
+  if (turns_[pull.node] == kMaxTurns) return std::nullopt;
   const int turn = ++turns_[pull.node];
   const DVec3 random(key_.child(pull.node).direction(static_cast<std::uint64_t>(turn)));
   const DVec3 turned = direction.value_or(DVec3(0)) + kTurn * turn * random;
@@ -252,8 +252,8 @@ class Colonizer : public Grower {
                 species_.path("points"));
   }
   bool records_points() const {
-    const TraceWish wish = species_.parameters.wish;
-    return wish.has(TracePart::points) || wish.has(TracePart::pulls);
+    const TraceRequest request = species_.parameters.request;
+    return request.has(TracePart::points) || request.has(TracePart::pulls);
   }
   void require_record() const;
   void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress);
@@ -314,7 +314,7 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const P
 }
 
 std::unique_ptr<GrowthTrace> Colonizer::take_trace() {
-  if (!species_.parameters.wish.has(TracePart::steps) && !records_points()) return nullptr;
+  if (!species_.parameters.request.has(TracePart::steps) && !records_points()) return nullptr;
   std::vector<TracedTree> trees;
   for (std::size_t k = 0; k < trees_.size(); ++k) {
     TracedTree& tree = trees.emplace_back(TracedTree{trees_[k].root(), trees_[k].skeleton(), {}, cloud_.origin()});

@@ -16,11 +16,11 @@ std::string ColonizingSpecies::path(const char* parameter) const {
 }
 
 void ColonizingSpecies::refuse(const char* parameter, std::string message, std::string expected) const {
-  Diagnostic fault;
-  fault.message = std::move(message);
-  fault.expected = std::move(expected);
-  fault.path = path(parameter);
-  throw InputError(std::move(fault));
+  Diagnostic error;
+  error.message = std::move(message);
+  error.expected = std::move(expected);
+  error.path = path(parameter);
+  throw InputError(std::move(error));
 }
 
 void ColonizingSpecies::require_nodes(std::uint64_t nodes, const char* parameter) const {

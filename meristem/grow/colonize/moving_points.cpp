@@ -63,8 +63,8 @@ void MovingPoints::update(MovingPoint& point, const std::optional<NodeTree>& add
     forest_.search(point.position, nearest);
     point.others = std::numeric_limits<float>::infinity();
   }
-  static_assert(NearestFew::kMost == MovingPoint::kMostKnown + 1);
-  point.known_count = static_cast<std::uint32_t>(std::min(nearest.count(), MovingPoint::kMostKnown));
+  static_assert(NearestFew::kMax == MovingPoint::kMaxKnown + 1);
+  point.known_count = static_cast<std::uint32_t>(std::min(nearest.count(), MovingPoint::kMaxKnown));
   for (std::uint32_t k = 0; k < point.known_count; ++k) point.known[k] = nearest.node(k);
   point.others = std::min(point.others, kBelow * std::sqrt(nearest.within2()));
   find_influence(point, nearest);
@@ -103,11 +103,11 @@ void MovingPoints::move(std::size_t index, Vec3 to) {
 
 std::optional<Vec3> MovingPoints::nearest_point(Vec3 position) const {
   std::optional<Vec3> nearest;
-  float least2 = std::numeric_limits<float>::infinity();
+  float min2 = std::numeric_limits<float>::infinity();
   for (const MovingPoint& point : points_) {
     const float square = squared_distance(point.position, position);
-    if (square >= least2) continue;
-    least2 = square;
+    if (square >= min2) continue;
+    min2 = square;
     nearest = point.position;
   }
   return nearest;

@@ -30,8 +30,8 @@ struct MovingPoint {
 
  private:
   friend class MovingPoints;
-  static constexpr std::size_t kMostKnown = 8;  // a value of 1 makes growth a third slower
-  std::array<NodeIndex, kMostKnown> known{};
+  static constexpr std::size_t kMaxKnown = 8;  // a value of 1 makes growth a third slower
+  std::array<NodeIndex, kMaxKnown> known{};
   std::uint32_t known_count = 0;
   float others = -1;  // lower bound for the distance of all unknown nodes; negative if there is no bound
 };

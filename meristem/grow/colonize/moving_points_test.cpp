@@ -27,12 +27,12 @@ MovingPoints random_points(std::size_t count) {
 
 NodeIndex nearest_by_force(Vec3 position, const std::vector<NewNode>& nodes) {
   NodeIndex nearest = kNoNode;
-  float least = std::numeric_limits<float>::infinity();
+  float min = std::numeric_limits<float>::infinity();
   for (NodeIndex k = 0; k < nodes.size(); ++k) {
     const float square = squared_length(position - nodes[k].position);
-    if (square >= least || square > nodes[k].influence * nodes[k].influence) continue;
+    if (square >= min || square > nodes[k].influence * nodes[k].influence) continue;
     nearest = k;
-    least = square;
+    min = square;
   }
   return nearest;
 }

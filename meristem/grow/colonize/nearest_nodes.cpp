@@ -206,28 +206,28 @@ bool NearestNodes::compare(Leaf leaf, std::span<const std::uint32_t> near, const
     const auto before = load<Indices>(node_.data() + k, count);
     // If all candidates have equal reach, compare it once instead of for each candidate.
     const Floats reach2 = Floats{} + candidates.within2[near[0]];
-    auto least2 = candidates.are_alike ? (reach2 < before2 ? reach2 : before2) : before2;
+    auto min2 = candidates.are_alike ? (reach2 < before2 ? reach2 : before2) : before2;
     auto nearest = before;
     const auto look_at = [&](std::uint32_t candidate, auto... within2) {
       const Floats dx = x - candidates.x[candidate];
       const Floats dy = y - candidates.y[candidate];
       const Floats dz = z - candidates.z[candidate];
       const Floats square = (dx * dx + dz * dz) + dy * dy;
-      const auto takes = ((square < least2) & ... & (square < within2));
+      const auto takes = ((square < min2) & ... & (square < within2));
       nearest = takes ? Indices{} + (candidates.first + candidate) : nearest;
-      least2 = takes ? square : least2;
+      min2 = takes ? square : min2;
     };
     if (candidates.are_alike) {
       for (const std::uint32_t candidate : near) look_at(candidate);
-      least2 = nearest == before ? before2 : least2;
+      min2 = nearest == before ? before2 : min2;
     } else {
       for (const std::uint32_t candidate : near) look_at(candidate, candidates.within2[candidate]);
     }
-    store(least2, distance2_.data() + k, count);
+    store(min2, distance2_.data() + k, count);
     store(nearest, node_.data() + k, count);
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      any = any || least2[lane] < before2[lane];
-      farthest2 = std::max(farthest2, least2[lane]);
+      any = any || min2[lane] < before2[lane];
+      farthest2 = std::max(farthest2, min2[lane]);
     }
   }
   farthest2_[PointTree::place(tree_.leaf_level(), leaf)] = farthest2;
@@ -251,7 +251,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 position) const {
     std::uint32_t index;
   };
   std::optional<Vec3> nearest;
-  float least2 = kInfinity;
+  float min2 = kInfinity;
   const auto gap2 = [&](Node node) {
     return distance2(tree_.boxes()[PointTree::place(node.level, node.index)], position);
   };
@@ -259,7 +259,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 position) const {
   while (!open.empty()) {
     const Node node = open.back();
     open.pop_back();
-    if (!(gap2(node) < least2)) continue;
+    if (!(gap2(node) < min2)) continue;
     if (node.level < tree_.leaf_level()) {
       // Search the nearer half first.
       Node first{node.level + 1, 2 * node.index};
@@ -272,8 +272,8 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 position) const {
     for (std::uint32_t k = begin_[node.index]; k < end_[node.index]; ++k) {
       const Vec3 point(x_[k], y_[k], z_[k]);
       const float square = squared_length(point - position);
-      if (square < least2) {
-        least2 = square;
+      if (square < min2) {
+        min2 = square;
         nearest = point;
       }
     }

@@ -39,11 +39,11 @@ std::vector<Assignment> assignments(NearestNodes& nearest) {
 std::vector<Assignment> brute_force(const std::vector<Vec3>& points, const std::vector<Vec3>& nodes, float influence) {
   std::vector<Assignment> all;
   for (const Vec3 p : points) {
-    float least = std::numeric_limits<float>::infinity();
+    float min = std::numeric_limits<float>::infinity();
     NodeIndex nearest = kNoNode;
     for (NodeIndex node = 0; node < nodes.size(); ++node) {
       const float square = squared_length(p - nodes[node]);
-      if (square < least && square <= influence * influence) std::tie(least, nearest) = std::tie(square, node);
+      if (square < min && square <= influence * influence) std::tie(min, nearest) = std::tie(square, node);
     }
     if (nearest != kNoNode) all.emplace_back(p.x, p.y, p.z, nearest);
   }

@@ -17,27 +17,27 @@
 
 namespace meristem {
 
-/// Collects the nodes nearest to a position, up to kMost of them, nearest first. Ties go to the lower number. A node
+/// Collects the nodes nearest to a position, up to kMax of them, nearest first. Ties go to the lower number. A node
 /// may be offered several times.
 class NearestFew {
  public:
-  static constexpr std::size_t kMost = 9;
+  static constexpr std::size_t kMax = 9;
 
   std::size_t count() const { return count_; }
   NodeIndex node(std::size_t k) const { return node_[k]; }
   float distance2(std::size_t k) const { return distance2_[k]; }
   /// Returns the squared distance beyond which offers have no effect.
-  float within2() const { return count_ < kMost ? std::numeric_limits<float>::infinity() : distance2_[kMost - 1]; }
+  float within2() const { return count_ < kMax ? std::numeric_limits<float>::infinity() : distance2_[kMax - 1]; }
 
   void offer(NodeIndex node, float distance2) {
     const auto is_before = [&](std::size_t k) {
       return distance2_[k] < distance2 || (distance2_[k] == distance2 && node_[k] <= node);
     };
-    if (count_ == kMost && is_before(kMost - 1)) return;
+    if (count_ == kMax && is_before(kMax - 1)) return;
     std::size_t position = count_;
     while (position > 0 && !is_before(position - 1)) --position;
     if (position > 0 && node_[position - 1] == node) return;
-    count_ += count_ < kMost ? 1 : 0;
+    count_ += count_ < kMax ? 1 : 0;
     for (std::size_t k = count_ - 1; k > position; --k) {
       node_[k] = node_[k - 1];
       distance2_[k] = distance2_[k - 1];
@@ -48,8 +48,8 @@ class NearestFew {
 
  private:
   std::size_t count_ = 0;
-  std::array<NodeIndex, kMost> node_{};
-  std::array<float, kMost> distance2_{};
+  std::array<NodeIndex, kMax> node_{};
+  std::array<float, kMax> distance2_{};
 };
 
 /// A static search tree of nodes.

@@ -12,7 +12,7 @@
 
 #include "meristem/base/in_quotes.h"
 #include "meristem/grow/lsystem/rewrite.h"
-#include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/rule_errors.h"
 #include "meristem/grow/lsystem/word_forecast.h"
 
 namespace meristem {
@@ -20,7 +20,7 @@ namespace meristem {
 namespace {
 
 /// Number of rounds after which rules that still apply are treated as endless.
-constexpr std::uint64_t kMostRounds = 1'000;
+constexpr std::uint64_t kMaxRounds = 1'000;
 constexpr double kSoonEnough = 1e-9;  // relative to the time: tolerance for the rounding of lives
 // Interpretation modules are as old as the modules that they draw.
 constexpr Births kInherited{.all_are_inherited = true};
@@ -87,9 +87,9 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
   for (std::uint64_t round = 0;; ++round) {
     const RewriteOutcome outcome = rewriter.rewrite(plan, word, key.child(round), stage, next, births);
     if (outcome.rule == nullptr) return round > 0 || outcome.may_change;
-    if (round == kMostRounds) {
-      throw_rule_fault(*outcome.rule,
-                       fmt::format("after {} rounds {} still applies", kMostRounds, in_quotes(outcome.rule->text)),
+    if (round == kMaxRounds) {
+      throw_rule_error(*outcome.rule,
+                       fmt::format("after {} rounds {} still applies", kMaxRounds, in_quotes(outcome.rule->text)),
                        "decompositions and interpretations that come to an end");
     }
     std::swap(word, next);
@@ -109,8 +109,8 @@ Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits&
   for (int round = 0;; ++round) {
     const RewriteOutcome outcome = rewriter.rewrite(production, word, key, "deriving", next, births);
     if (outcome.rule == nullptr) break;
-    if (round == kMostSteps) {
-      throw_rule_fault(*outcome.rule, fmt::format("modules have lived one after another {} times", kMostSteps),
+    if (round == kMaxSteps) {
+      throw_rule_error(*outcome.rule, fmt::format("modules have lived one after another {} times", kMaxSteps),
                        "longer lives, or an earlier time");
     }
     std::swap(word, next);

@@ -19,7 +19,7 @@ std::string derived(const GrammarText& text, int steps, std::uint64_t seed = 1) 
   return word_text(derive(grammar, steps, RandomKey(seed), Limits(), progress), grammar.alphabet);
 }
 
-std::string fault_of(const GrammarText& text, int steps, const Limits& limits = {}) {
+std::string error_of(const GrammarText& text, int steps, const Limits& limits = {}) {
   const Grammar grammar = build_grammar(text);
   Progress progress;
   try {
@@ -204,17 +204,17 @@ TEST(Derive, TheWordDependsOnTheSeedAndNotOnThreads) {
 }
 
 TEST(Derive, RefusesParametersThatAreNotFinite) {
-  const std::string fault = fault_of({"A(2)", {"B -> C", "A(x) -> A(1/(x-2))"}}, 1);
-  EXPECT_TRUE(has(fault, "'1/(x-2)' is not a finite number")) << fault;
-  EXPECT_TRUE(has(fault, "division by zero")) << fault;
-  EXPECT_TRUE(fault.starts_with("2: ")) << fault;
-  EXPECT_TRUE(has(fault_of({"A", {"A -> B(1/0)"}}, 1), "'1/0'"));
-  EXPECT_TRUE(has(fault_of({"A(1/0)", {}}, 1), "in the axiom"));
+  const std::string error = error_of({"A(2)", {"B -> C", "A(x) -> A(1/(x-2))"}}, 1);
+  EXPECT_TRUE(has(error, "'1/(x-2)' is not a finite number")) << error;
+  EXPECT_TRUE(has(error, "division by zero")) << error;
+  EXPECT_TRUE(error.starts_with("2: ")) << error;
+  EXPECT_TRUE(has(error_of({"A", {"A -> B(1/0)"}}, 1), "'1/0'"));
+  EXPECT_TRUE(has(error_of({"A(1/0)", {}}, 1), "in the axiom"));
 }
 
 TEST(Derive, RefusesWeightsThatAreNone) {
-  EXPECT_TRUE(has(fault_of({"A(2)", {"A(x) : : 1-x -> B"}}, 1), "the weight '1-x' of 'A(x) : : 1-x -> B' is -1"));
-  EXPECT_TRUE(has(fault_of({"A(2)", {"A(x) : : 1/(x-2) -> B"}}, 1), "not a finite number"));
+  EXPECT_TRUE(has(error_of({"A(2)", {"A(x) : : 1-x -> B"}}, 1), "the weight '1-x' of 'A(x) : : 1-x -> B' is -1"));
+  EXPECT_TRUE(has(error_of({"A(2)", {"A(x) : : 1/(x-2) -> B"}}, 1), "not a finite number"));
 }
 
 TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
@@ -222,11 +222,11 @@ TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
   const GrammarText text{"A", {"B -> BB", "A -> " + std::string(1000, 'A')}};
   Limits limits;
   limits.modules = 1'000'000;
-  const std::string fault = fault_of(text, 5, limits);
-  EXPECT_TRUE(has(fault, "1000000000 modules of a word are too many")) << fault;
-  EXPECT_TRUE(has(fault, "limits.modules")) << fault;
-  EXPECT_TRUE(has(fault, "'A -> AAA")) << fault;
-  EXPECT_EQ(fault_of({"A", {"A -> AA"}}, 19, limits), "");
+  const std::string error = error_of(text, 5, limits);
+  EXPECT_TRUE(has(error, "1000000000 modules of a word are too many")) << error;
+  EXPECT_TRUE(has(error, "limits.modules")) << error;
+  EXPECT_TRUE(has(error, "'A -> AAA")) << error;
+  EXPECT_EQ(error_of({"A", {"A -> AA"}}, 19, limits), "");
 }
 
 TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
@@ -255,18 +255,18 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
 TEST(Derive, TellsOfAnAxiomThatIsTooLong) {
   Limits limits;
   limits.modules = 1;
-  EXPECT_TRUE(has(fault_of({"AB", {"A -> B"}}, 3, limits), "2 modules of an axiom are too many"));
+  EXPECT_TRUE(has(error_of({"AB", {"A -> B"}}, 3, limits), "2 modules of an axiom are too many"));
 }
 
 TEST(Derive, BoundsParametersToo) {
   Limits limits;
   limits.modules = 10;
-  EXPECT_TRUE(has(fault_of({"A", {"A -> B(1,2,3,4,5,6)B(1,2,3,4,5,6)"}}, 1, limits), "12 parameters of a word"));
+  EXPECT_TRUE(has(error_of({"A", {"A -> B(1,2,3,4,5,6)B(1,2,3,4,5,6)"}}, 1, limits), "12 parameters of a word"));
 }
 
 TEST(Derive, RefusesDecompositionsWithoutAnEnd) {
-  const std::string fault = fault_of({"A", {}, "", {"A -> B", "B -> A"}}, 1);
-  EXPECT_TRUE(has(fault, "after 1000 rounds 'A -> B' still applies")) << fault;
+  const std::string error = error_of({"A", {}, "", {"A -> B", "B -> A"}}, 1);
+  EXPECT_TRUE(has(error, "after 1000 rounds 'A -> B' still applies")) << error;
 }
 
 TEST(Derive, StopsWhenCancelled) {

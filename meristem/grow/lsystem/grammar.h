@@ -18,9 +18,9 @@ namespace meristem {
 
 /// The largest number of parameters of a rule: both contexts and the predecessor together. Also the limit for one
 /// letter.
-inline constexpr std::size_t kMostVariables = 64;
+inline constexpr std::size_t kMaxVariables = 64;
 /// The largest number of steps; more are an error.
-inline constexpr int kMostSteps = 1'000'000;
+inline constexpr int kMaxSteps = 1'000'000;
 
 /// A module of a successor or an axiom, with an expression for each parameter.
 struct ModuleTemplate {

@@ -47,12 +47,12 @@ bool always_applies(const Rule& rule) {
   return !may_fail && !rule.weight && rule.left.empty() && rule.right.empty();
 }
 
-void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view>& places, GrammarFaults& faults) {
+void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view>& places, GrammarErrors& errors) {
   for (const auto& rules : set.of_letter) {
     const auto first = std::find_if(rules.begin(), rules.end(), [&](auto k) { return always_applies(set.rules[k]); });
     if (first == rules.end()) continue;
     for (auto hidden = first + 1; hidden != rules.end(); ++hidden) {
-      faults.warn(places[*hidden], fmt::format("this rule can never match: the one of line {} is always taken first",
+      errors.warn(places[*hidden], fmt::format("this rule can never match: the one of line {} is always taken first",
                                                set.rules[*first].line));
     }
   }
@@ -60,24 +60,24 @@ void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view
 
 /// Warns of the first context module that can never match.
 void warn_of_missing_context(const Grammar& grammar, const Rule& rule, std::string_view place,
-                             const ReachedLetters& reached, GrammarFaults& faults) {
+                             const ReachedLetters& reached, GrammarErrors& errors) {
   for (const std::vector<ContextModule>* context : {&rule.left, &rule.right}) {
     for (const ContextModule& module : *context) {
       if (module.letter == grammar.open || module.letter == grammar.close) continue;
       const Letter& letter = grammar.alphabet[module.letter];
       if (grammar.is_ignored[module.letter] != 0) {
-        return faults.warn(place, fmt::format("this rule can never match: contexts do not see {}, which is ignored",
+        return errors.warn(place, fmt::format("this rule can never match: contexts do not see {}, which is ignored",
                                               in_quotes(letter.symbol)));
       }
       if (reached[module.letter]) continue;
-      return faults.warn(place, fmt::format("this rule can never match: no word has {} with {} parameters",
+      return errors.warn(place, fmt::format("this rule can never match: no word has {} with {} parameters",
                                             in_quotes(letter.symbol), letter.arity));
     }
   }
 }
 
 void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const std::vector<std::string_view>& places,
-                             const ReachedLetters& reached, GrammarFaults& faults) {
+                             const ReachedLetters& reached, GrammarErrors& errors) {
   std::map<std::string_view, std::uint16_t> arities;  // one entry per symbol that words can contain
   for (const LetterIndex letter : reached.all()) {
     arities.emplace(grammar.alphabet[letter].symbol, grammar.alphabet[letter].arity);
@@ -85,15 +85,15 @@ void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const s
   for (std::size_t k = 0; k < set.rules.size(); ++k) {
     const LetterIndex predecessor = set.rules[k].predecessor;
     if (reached[predecessor]) {
-      warn_of_missing_context(grammar, set.rules[k], places[k], reached, faults);
+      warn_of_missing_context(grammar, set.rules[k], places[k], reached, errors);
       continue;
     }
     const Letter& letter = grammar.alphabet[predecessor];
     const auto other = arities.find(letter.symbol);
     if (other == arities.end()) {
-      faults.warn(places[k], fmt::format("this rule can never match: no word has {}", in_quotes(letter.symbol)));
+      errors.warn(places[k], fmt::format("this rule can never match: no word has {}", in_quotes(letter.symbol)));
     } else {
-      faults.warn(places[k],
+      errors.warn(places[k],
                   fmt::format("this rule can never match: words have {} with another number of parameters than {}",
                               in_quotes(letter.symbol), letter.arity),
                   fmt::format("as many as {}", other->second));
@@ -103,18 +103,18 @@ void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const s
 
 }  // namespace
 
-void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarFaults& faults) {
+void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarErrors& errors) {
   ReachedLetters reached(grammar);
   reached.reach(grammar.axiom);
   reached.follow({&grammar.production, &grammar.decomposition});
-  warn_of_unreached_rules(grammar, grammar.production, places.production, reached, faults);
-  warn_of_unreached_rules(grammar, grammar.decomposition, places.decomposition, reached, faults);
+  warn_of_unreached_rules(grammar, grammar.production, places.production, reached, errors);
+  warn_of_unreached_rules(grammar, grammar.decomposition, places.decomposition, reached, errors);
   reached.follow({&grammar.interpretation});
-  warn_of_unreached_rules(grammar, grammar.interpretation, places.interpretation, reached, faults);
+  warn_of_unreached_rules(grammar, grammar.interpretation, places.interpretation, reached, errors);
 
-  warn_of_hidden_rules(grammar.production, places.production, faults);
-  warn_of_hidden_rules(grammar.decomposition, places.decomposition, faults);
-  warn_of_hidden_rules(grammar.interpretation, places.interpretation, faults);
+  warn_of_hidden_rules(grammar.production, places.production, errors);
+  warn_of_hidden_rules(grammar.decomposition, places.decomposition, errors);
+  warn_of_hidden_rules(grammar.interpretation, places.interpretation, errors);
 }
 
 }  // namespace meristem

@@ -19,6 +19,6 @@ struct RuleTexts {
 
 /// Warns of rules that can never match. No word has their predecessor or a required neighbour, or an earlier rule
 /// always applies.
-void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarFaults& faults);
+void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarErrors& errors);
 
 }  // namespace meristem

@@ -22,7 +22,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kDeepestInclusion = 16;
-constexpr int kMostInclusions = 100;
+constexpr int kMaxInclusions = 100;
 constexpr std::size_t kLongestName = 64;
 
 /// State shared by the readers of a grammar and of the grammars that it includes.
@@ -75,9 +75,9 @@ class GrammarReader {
       : options_(options),
         inclusions_(inclusions),
         text_(text, options.file, options.limits),
-        faults_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
-        modules_(faults_, grammar_.alphabet),
-        rules_(text_, faults_, options.limits, modules_, options.constants) {
+        errors_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
+        modules_(errors_, grammar_.alphabet),
+        rules_(text_, errors_, options.limits, modules_, options.constants) {
     if (options.words == nullptr) return;
     modules_.note_symbols(&symbols_);
     rules_.note_names(&names_);
@@ -116,7 +116,7 @@ class GrammarReader {
   const GrammarOptions& options_;
   Inclusions& inclusions_;
   GrammarText text_;
-  GrammarFaults faults_;
+  GrammarErrors errors_;
   Grammar grammar_;
   ModuleReader modules_;
   RuleReader rules_;
@@ -139,7 +139,7 @@ Grammar GrammarReader::read() {
   const std::vector<std::string_view> lines = text_.lines();
   read_names(lines);
   for (const std::string_view line : lines) {
-    if (faults_.is_full()) break;
+    if (errors_.is_full()) break;
     if (const auto directive = as_directive(line)) {
       read_directive(*directive);
     } else {
@@ -165,7 +165,7 @@ std::vector<GrammarWord> GrammarReader::words_of(std::vector<std::string_view> p
 
 void GrammarReader::read_names(const std::vector<std::string_view>& lines) {
   for (const std::string_view line : lines) {
-    if (faults_.is_full()) return;
+    if (errors_.is_full()) return;
     const auto directive = as_directive(line);
     if (!directive) continue;
     if (directive->name == "#define") read_define(*directive);
@@ -184,11 +184,11 @@ void GrammarReader::read_define(const Directive& directive) {
   defined_.emplace_back(name);
   if (options_.words != nullptr) names_.push_back(name);
   if (name.empty() || value.empty()) {
-    faults_.add(directive.all, "'#define' lacks a name or a value", "#define name = expression");
+    errors_.add(directive.all, "'#define' lacks a name or a value", "#define name = expression");
   } else if (!is_identifier(name)) {
-    faults_.add(name, fmt::format("{} is not a name", in_quotes(name)), "letters, digits and _, no digit first");
+    errors_.add(name, fmt::format("{} is not a name", in_quotes(name)), "letters, digits and _, no digit first");
   } else if (is_builtin_name(name)) {
-    faults_.add(name, fmt::format("'{}' is a function or constant of every expression", name), "another name");
+    errors_.add(name, fmt::format("'{}' is a function or constant of every expression", name), "another name");
   } else if (const auto number = rules_.read_constant(value)) {
     rules_.constants().set(defined_.back(), overridden(defined_.back(), *number));
   }
@@ -204,30 +204,30 @@ double GrammarReader::overridden(const std::string& name, double value) const {
 }
 
 void GrammarReader::check_overrides(std::string_view place) {
-  constexpr std::size_t kMostNames = 12;  // names in a message
+  constexpr std::size_t kMaxNames = 12;  // names in a message
   const std::vector<std::string> names(
-      defined_.begin(), defined_.begin() + static_cast<std::ptrdiff_t>(std::min(defined_.size(), kMostNames)));
+      defined_.begin(), defined_.begin() + static_cast<std::ptrdiff_t>(std::min(defined_.size(), kMaxNames)));
   for (const auto& constant : options_.overrides) {
     if (std::find(defined_.begin(), defined_.end(), constant.name) != defined_.end()) continue;
-    Diagnostic fault;
-    fault.message = fmt::format("the grammar does not define {}", in_quotes(constant.name));
-    fault.expected = names.empty() ? "a grammar with #define lines"
+    Diagnostic error;
+    error.message = fmt::format("the grammar does not define {}", in_quotes(constant.name));
+    error.expected = names.empty() ? "a grammar with #define lines"
                                    : fmt::format("a name that it defines: {}{}", fmt::join(names, ", "),
                                                  names.size() < defined_.size() ? ", ..." : "");
-    fault.nearest = nearest_name(constant.name, defined_);
-    fault.file = options_.file;
-    faults_.add_all(place, {fault});
+    error.nearest = nearest_name(constant.name, defined_);
+    error.file = options_.file;
+    errors_.add_all(place, {error});
   }
 }
 
 void GrammarReader::read_symbols(const Directive& directive) {
   std::string_view rest = directive.rest;
-  if (rest.empty()) faults_.add(directive.all, "'#symbols' declares no symbols", "names of two characters or more");
-  while (!rest.empty() && !faults_.is_full()) {
+  if (rest.empty()) errors_.add(directive.all, "'#symbols' declares no symbols", "names of two characters or more");
+  while (!rest.empty() && !errors_.is_full()) {
     const std::string_view name = take_word(rest);
     rest = trimmed(rest);
     if (!is_identifier(name) || name.size() < 2 || name.size() > kLongestName) {
-      faults_.add(name, fmt::format("{} cannot be declared", in_quotes(name)),
+      errors_.add(name, fmt::format("{} cannot be declared", in_quotes(name)),
                   fmt::format("a name of 2 to {} letters, digits and _, no digit first", kLongestName));
     } else {
       modules_.declare(name);
@@ -245,7 +245,7 @@ void GrammarReader::read_directive(const Directive& directive) {
   const std::string_view name = directive.name;
   if (name == "#axiom") {
     if (!axiom_place_.empty()) {
-      faults_.add(directive.all, fmt::format("a second axiom; the first is in line {}", text_.line(axiom_place_)),
+      errors_.add(directive.all, fmt::format("a second axiom; the first is in line {}", text_.line(axiom_place_)),
                   "one axiom");
       return;
     }
@@ -268,7 +268,7 @@ void GrammarReader::read_directive(const Directive& directive) {
   } else if (name == "#include") {
     read_include(directive);
   } else if (name != "#define" && name != "#symbols") {
-    faults_.add(directive.all, fmt::format("{} is not a directive", in_quotes(name)), "a directive such as #rules",
+    errors_.add(directive.all, fmt::format("{} is not a directive", in_quotes(name)), "a directive such as #rules",
                 nearest_name(name, directive_names()));
   }
 }
@@ -309,11 +309,11 @@ void GrammarReader::read_ignore(const Directive& directive) {
   std::string_view rest = directive.rest;
   if (rest.starts_with(':')) rest.remove_prefix(1);
   while (const auto module = modules_.next(rest)) {
-    if (faults_.is_full()) return;
+    if (errors_.is_full()) return;
     if (module->symbol == "[" || module->symbol == "]") {
-      faults_.add(module->all, "contexts cannot ignore brackets", "other symbols");
+      errors_.add(module->all, "contexts cannot ignore brackets", "other symbols");
     } else if (!module->arguments.empty()) {
-      faults_.add(module->all, fmt::format("{} has parameters", in_quotes(module->all)),
+      errors_.add(module->all, fmt::format("{} has parameters", in_quotes(module->all)),
                   "a symbol alone; it is ignored with any number of parameters");
     } else {
       ignored_.push_back(module->symbol);
@@ -324,9 +324,9 @@ void GrammarReader::read_ignore(const Directive& directive) {
 std::optional<int> GrammarReader::step_count(std::string_view text) {
   const auto steps = rules_.read_constant(text);
   if (!steps) return std::nullopt;
-  if (*steps >= 0 && *steps <= kMostSteps && std::floor(*steps) == *steps) return static_cast<int>(*steps);
-  faults_.add(text, fmt::format("{} is not a number of steps", in_quotes(text)),
-              fmt::format("a whole number from 0 to {}", kMostSteps));
+  if (*steps >= 0 && *steps <= kMaxSteps && std::floor(*steps) == *steps) return static_cast<int>(*steps);
+  errors_.add(text, fmt::format("{} is not a number of steps", in_quotes(text)),
+              fmt::format("a whole number from 0 to {}", kMaxSteps));
   return std::nullopt;
 }
 
@@ -342,7 +342,7 @@ void GrammarReader::read_time(const Directive& directive) {
     grammar_.time = time;
     time_place_ = directive.all;
   } else {
-    faults_.add(directive.rest, fmt::format("{} is not a time", in_quotes(directive.rest)), "a number of at least 0");
+    errors_.add(directive.rest, fmt::format("{} is not a time", in_quotes(directive.rest)), "a number of at least 0");
   }
 }
 
@@ -365,14 +365,14 @@ void GrammarReader::read_include(const Directive& directive) {
     is_good = is_for && (unit == "steps" || unit == "step") && trimmed(rest).empty();
   }
   if (!is_good) {
-    faults_.add(directive.all, fmt::format("{} cannot be read", in_quotes(directive.all)),
+    errors_.add(directive.all, fmt::format("{} cannot be read", in_quotes(directive.all)),
                 "#include file as X for n steps");
     return;
   }
   const auto module = modules_.next(symbol);
   if (!module) return;
   if (!trimmed(symbol).empty() || !module->arguments.empty() || module->symbol == "[" || module->symbol == "]") {
-    faults_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(module->all)),
+    errors_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(module->all)),
                 "a symbol without parameters");
     return;
   }
@@ -386,10 +386,10 @@ std::optional<std::string> GrammarReader::included_text(const Directive& directi
   try {
     return options_.read(name);
   } catch (const InputError& error) {
-    for (const Diagnostic& fault : error.diagnostics()) {
+    for (const Diagnostic& found : error.diagnostics()) {
       // Convert the suggestion to a path relative to this grammar.
-      const std::filesystem::path nearest = std::filesystem::path(fault.nearest).filename();
-      faults_.add(directive.all, fmt::format("{}: {}", in_quotes(written), fault.message), fault.expected,
+      const std::filesystem::path nearest = std::filesystem::path(found.nearest).filename();
+      errors_.add(directive.all, fmt::format("{}: {}", in_quotes(written), found.message), found.expected,
                   nearest.empty() ? "" : (std::filesystem::path(written).parent_path() / nearest).string());
     }
     return std::nullopt;
@@ -399,7 +399,7 @@ std::optional<std::string> GrammarReader::included_text(const Directive& directi
 bool GrammarReader::include(const Directive& directive, std::string_view file, LetterIndex letter,
                             std::string_view steps) {
   const auto fail = [&](std::string message, std::string expected) {
-    faults_.add(directive.all, std::move(message), std::move(expected));
+    errors_.add(directive.all, std::move(message), std::move(expected));
     return false;
   };
   auto& files = inclusions_.files;
@@ -410,9 +410,9 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
   if (std::find(files.begin(), files.end(), name) != files.end()) {
     return fail(fmt::format("{} includes itself", in_quotes(name)), "inclusions without a circle");
   }
-  if (files.size() > kDeepestInclusion || ++inclusions_.count > kMostInclusions) {
+  if (files.size() > kDeepestInclusion || ++inclusions_.count > kMaxInclusions) {
     return fail("too many grammars are included",
-                fmt::format("at most {}, and {} inside each other", kMostInclusions, kDeepestInclusion));
+                fmt::format("at most {}, and {} inside each other", kMaxInclusions, kDeepestInclusion));
   }
 
   const std::optional<std::string> text = included_text(directive, std::string(file), name);
@@ -448,7 +448,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     return true;
   } catch (const InputError& error) {
     if (files.back() == name) files.pop_back();
-    faults_.add_all(directive.all, error.diagnostics());
+    errors_.add_all(directive.all, error.diagnostics());
     return false;
   } catch (const std::length_error&) {
     return fail("the grammar has more than 65534 letters", "fewer");
@@ -491,10 +491,10 @@ void GrammarReader::check_lives() {
   grammar_.is_timed = std::ranges::any_of(grammar_.production.rules, has_life);
   grammar_.asks_ages = std::ranges::any_of(grammar_.interpretation.rules, &Rule::sees_age);
   if (!grammar_.is_timed) {
-    if (grammar_.time) faults_.add(time_place_, "'#time' in a grammar without lives", "#steps, or rules with lives");
+    if (grammar_.time) errors_.add(time_place_, "'#time' in a grammar without lives", "#steps, or rules with lives");
     return;
   }
-  if (grammar_.steps) faults_.add(steps_place_, "'#steps' in a grammar with lives", "#time");
+  if (grammar_.steps) errors_.add(steps_place_, "'#steps' in a grammar with lives", "#time");
   const auto is_drawn = [](const std::optional<Expression>& expression) {
     return expression && expression->is_random();
   };
@@ -506,25 +506,25 @@ void GrammarReader::check_lives() {
       is_random = is_random || std::ranges::any_of(form.parameters, &Expression::is_random);
     }
     if (!has_life(rule)) {
-      faults_.add(place, "the rule has no life, and others have one", "predecessor @ life -> successor");
+      errors_.add(place, "the rule has no life, and others have one", "predecessor @ life -> successor");
     } else if (is_random) {
-      faults_.add(place, "a rule with a life draws random numbers", "expressions without chance");
+      errors_.add(place, "a rule with a life draws random numbers", "expressions without chance");
     }
   }
   if (!places_.decomposition.empty()) {
-    faults_.add(places_.decomposition.front(), "a decomposition in a grammar with lives",
+    errors_.add(places_.decomposition.front(), "a decomposition in a grammar with lives",
                 "rules behind #rules, with lives, or behind #interpret");
   }
 }
 
 void GrammarReader::finish() {
   modules_.report_unclosed(open_brackets_);
-  if (faults_.is_empty() && grammar_.axiom.empty()) {
-    throw InputError(text_.fault(axiom_place_.empty() ? 0 : text_.offset(axiom_place_), "the grammar has no axiom",
+  if (errors_.is_empty() && grammar_.axiom.empty()) {
+    throw InputError(text_.error(axiom_place_.empty() ? 0 : text_.offset(axiom_place_), "the grammar has no axiom",
                                  "'#axiom' and a word"));
   }
   check_lives();
-  if (!faults_.is_empty()) throw InputError(faults_.take_faults());
+  if (!errors_.is_empty()) throw InputError(errors_.take_errors());
 
   grammar_.file = options_.file;
   drop_identities(grammar_.production, places_.production);
@@ -536,8 +536,8 @@ void GrammarReader::finish() {
     grammar_.is_ignored[k] = ignored.count(grammar_.alphabet[static_cast<LetterIndex>(k)].symbol) > 0 ? 1 : 0;
   }
   if (options_.warnings == nullptr) return;
-  warn_of_idle_rules(grammar_, places_, faults_);
-  for (Diagnostic& warning : faults_.take_warnings()) options_.warnings->push_back(std::move(warning));
+  warn_of_idle_rules(grammar_, places_, errors_);
+  for (Diagnostic& warning : errors_.take_warnings()) options_.warnings->push_back(std::move(warning));
 }
 
 }  // namespace

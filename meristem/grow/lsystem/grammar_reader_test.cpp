@@ -69,12 +69,12 @@ std::string read_rule(std::string_view line) {
   return rule_text(grammar, grammar.production.rules.at(0));
 }
 
-Texts faults_of(std::string_view text, const GrammarOptions& options = {}) {
+Texts errors_of(std::string_view text, const GrammarOptions& options = {}) {
   try {
     read_grammar(text, options);
   } catch (const InputError& error) {
     Texts texts;
-    for (const Diagnostic& fault : error.diagnostics()) texts.push_back(fault.text());
+    for (const Diagnostic& found : error.diagnostics()) texts.push_back(found.text());
     return texts;
   }
   return {};
@@ -302,15 +302,15 @@ TEST(GrammarReader, RefusesInclusionsInACircle) {
   options.read = [](const std::string& name) -> std::string {
     return name == "b.txt" ? "X\n#include a.txt as Y for 1 step\n" : "X\n#include b.txt as Y for 1 step\n";
   };
-  EXPECT_EQ(faults_of("X\n#include b.txt as Y for 1 step", options),
+  EXPECT_EQ(errors_of("X\n#include b.txt as Y for 1 step", options),
             Texts{"b.txt:2:1: 'a.txt' includes itself; expected inclusions without a circle"});
   options.read = [](const std::string&) -> std::string { return "X\nX -> [\n"; };
-  EXPECT_EQ(faults_of("F\n#include c.txt as Y for 1 step", options),
+  EXPECT_EQ(errors_of("F\n#include c.txt as Y for 1 step", options),
             Texts{"c.txt:2:6: '[' is not closed; expected ']'"});
   options.read = [](const std::string&) -> std::string { return "X\nX -> XX\n"; };
-  EXPECT_EQ(faults_of("F\n#include c.txt as X for 1 step", options),
+  EXPECT_EQ(errors_of("F\n#include c.txt as X for 1 step", options),
             Texts{"a.txt:2:1: the word of 'c.txt' has the letter that stands for it; expected another letter"});
-  EXPECT_EQ(faults_of("F\n#include c.txt as Y", options),
+  EXPECT_EQ(errors_of("F\n#include c.txt as Y", options),
             Texts{"a.txt:2:1: 'c.txt' has no #steps; expected #include file as X for n steps"});
 }
 
@@ -358,12 +358,12 @@ RC_GTEST_PROP(GrammarReader, FindsFaultsInAnyTextOrReadsIt, ()) {
     RC_ASSERT(grammar.production.of_letter.size() == grammar.alphabet.size());
   } catch (const InputError& error) {
     RC_ASSERT(!error.diagnostics().empty());
-    for (const Diagnostic& fault : error.diagnostics()) {
-      RC_ASSERT(fault.line >= 1);
-      RC_ASSERT(fault.column >= 1);
-      RC_ASSERT(fault.text_offset >= 0);
-      RC_ASSERT(static_cast<std::size_t>(fault.text_offset) <= text.size());
-      RC_ASSERT(!fault.message.empty());
+    for (const Diagnostic& error : error.diagnostics()) {
+      RC_ASSERT(error.line >= 1);
+      RC_ASSERT(error.column >= 1);
+      RC_ASSERT(error.text_offset >= 0);
+      RC_ASSERT(static_cast<std::size_t>(error.text_offset) <= text.size());
+      RC_ASSERT(!error.message.empty());
     }
   }
 }

@@ -37,7 +37,7 @@ GrammarText::GrammarText(std::string_view text, std::string file, const Limits& 
   const bool has_mark = text.starts_with(kByteOrderMark);
   line_starts_.push_back(has_mark ? kByteOrderMark.size() : 0);
   if (text.size() > limits.document_bytes) {
-    throw InputError(fault(0, fmt::format("the grammar has {} bytes", text.size()),
+    throw InputError(error(0, fmt::format("the grammar has {} bytes", text.size()),
                            fmt::format("at most {} (limit document_bytes)", limits.document_bytes)));
   }
   text_ = text;
@@ -46,7 +46,7 @@ GrammarText::GrammarText(std::string_view text, std::string file, const Limits& 
   }
   if (const std::size_t invalid = find_invalid_utf8(text_); invalid < text_.size()) {
     throw InputError(
-        fault(invalid, fmt::format("byte 0x{:02x} is not UTF-8 text", byte_at(text_, invalid)), "text in UTF-8"));
+        error(invalid, fmt::format("byte 0x{:02x} is not UTF-8 text", byte_at(text_, invalid)), "text in UTF-8"));
   }
   if (has_mark) blank(0, kByteOrderMark.size());
   remove_comments();
@@ -67,7 +67,7 @@ void GrammarText::remove_comments() {
       is_line_empty = true;
     } else if (rest.starts_with("/*")) {
       const std::size_t end = text.find("*/", k + 2);
-      if (end == std::string_view::npos) throw InputError(fault(k, "the comment '/*' is not closed", "'*/'"));
+      if (end == std::string_view::npos) throw InputError(error(k, "the comment '/*' is not closed", "'*/'"));
       blank(k, end + 2);
       k = end + 1;
     } else if ((is_line_empty && rest.front() == ';') ||
@@ -106,7 +106,7 @@ int GrammarText::line(std::string_view piece) const {
   return static_cast<int>(std::max<std::ptrdiff_t>(1, after - line_starts_.begin()));
 }
 
-Diagnostic GrammarText::fault(std::size_t offset, std::string message, std::string expected,
+Diagnostic GrammarText::error(std::size_t offset, std::string message, std::string expected,
                               std::string nearest) const {
   Diagnostic result;
   result.message = std::move(message);
@@ -123,27 +123,27 @@ Diagnostic GrammarText::fault(std::size_t offset, std::string message, std::stri
   return result;
 }
 
-void GrammarFaults::add(std::string_view at, std::string message, std::string expected, std::string nearest) {
+void GrammarErrors::add(std::string_view at, std::string message, std::string expected, std::string nearest) {
   if (is_full()) return;
   const std::size_t offset = text_.offset(at);
-  faults_.push_back({offset, text_.fault(offset, std::move(message), std::move(expected), std::move(nearest))});
+  errors_.push_back({offset, text_.error(offset, std::move(message), std::move(expected), std::move(nearest))});
 }
 
-void GrammarFaults::warn(std::string_view at, std::string message, std::string expected) {
-  if (warnings_.size() >= most_) return;
+void GrammarErrors::warn(std::string_view at, std::string message, std::string expected) {
+  if (warnings_.size() >= max_) return;
   const std::size_t offset = text_.offset(at);
-  Diagnostic warning = text_.fault(offset, std::move(message), std::move(expected));
+  Diagnostic warning = text_.error(offset, std::move(message), std::move(expected));
   warning.severity = Severity::warning;
   warnings_.push_back({offset, std::move(warning)});
 }
 
-void GrammarFaults::add_all(std::string_view at, const std::vector<Diagnostic>& others) {
+void GrammarErrors::add_all(std::string_view at, const std::vector<Diagnostic>& others) {
   for (const Diagnostic& other : others) {
-    if (!is_full()) faults_.push_back({text_.offset(at), other});
+    if (!is_full()) errors_.push_back({text_.offset(at), other});
   }
 }
 
-std::vector<Diagnostic> GrammarFaults::sorted(std::vector<Placed> placed) {
+std::vector<Diagnostic> GrammarErrors::sorted(std::vector<Placed> placed) {
   std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.offset < b.offset; });
   std::vector<Diagnostic> result;
   result.reserve(placed.size());

@@ -35,7 +35,7 @@ class GrammarText {
   int line(std::string_view piece) const;
   const std::string& file() const { return file_; }
 
-  Diagnostic fault(std::size_t offset, std::string message, std::string expected, std::string nearest = "") const;
+  Diagnostic error(std::size_t offset, std::string message, std::string expected, std::string nearest = "") const;
 
  private:
   void remove_comments();
@@ -47,9 +47,9 @@ class GrammarText {
 };
 
 /// Collects errors and warnings, up to the limit of each.
-class GrammarFaults {
+class GrammarErrors {
  public:
-  GrammarFaults(const GrammarText& text, std::size_t most) : text_(text), most_(most) {}
+  GrammarErrors(const GrammarText& text, std::size_t max) : text_(text), max_(max) {}
 
   /// Adds an error. `at` is a piece of the text.
   void add(std::string_view at, std::string message, std::string expected, std::string nearest = "");
@@ -57,10 +57,10 @@ class GrammarFaults {
   /// Adds the errors of an included file, at the position of its inclusion.
   void add_all(std::string_view at, const std::vector<Diagnostic>& others);
 
-  bool is_full() const { return faults_.size() >= most_; }
-  bool is_empty() const { return faults_.empty(); }
+  bool is_full() const { return errors_.size() >= max_; }
+  bool is_empty() const { return errors_.empty(); }
   /// In the order of the text.
-  std::vector<Diagnostic> take_faults() { return sorted(std::move(faults_)); }
+  std::vector<Diagnostic> take_errors() { return sorted(std::move(errors_)); }
   std::vector<Diagnostic> take_warnings() { return sorted(std::move(warnings_)); }
 
  private:
@@ -71,8 +71,8 @@ class GrammarFaults {
   static std::vector<Diagnostic> sorted(std::vector<Placed> placed);
 
   const GrammarText& text_;
-  std::size_t most_;
-  std::vector<Placed> faults_;
+  std::size_t max_;
+  std::vector<Placed> errors_;
   std::vector<Placed> warnings_;
 };
 

@@ -35,7 +35,7 @@ std::string_view ModuleReader::symbol_of(std::string_view text) const {
 
 std::optional<ModuleText> ModuleReader::next(std::string_view& rest) {
   const auto fail = [&](std::string_view at, std::string message, std::string expected) {
-    faults_.add(at, std::move(message), std::move(expected));
+    errors_.add(at, std::move(message), std::move(expected));
     rest = {};
     return std::nullopt;
   };
@@ -84,18 +84,18 @@ LetterIndex ModuleReader::letter_of(const ModuleText& module) {
   const std::size_t arity = module.arguments.size();
   const bool is_fixed = module.symbol == "[" || module.symbol == "]" || module.symbol == "%";
   if (is_fixed && arity > 0) {
-    faults_.add(module.all, fmt::format("'{}' has {}", module.symbol, counted(arity, "parameter")), "no parameters");
+    errors_.add(module.all, fmt::format("'{}' has {}", module.symbol, counted(arity, "parameter")), "no parameters");
     return kNoLetter;
   }
-  if (arity > kMostVariables) {
-    faults_.add(module.all, fmt::format("'{}' has {} parameters", module.symbol, arity),
-                fmt::format("at most {}", kMostVariables));
+  if (arity > kMaxVariables) {
+    errors_.add(module.all, fmt::format("'{}' has {} parameters", module.symbol, arity),
+                fmt::format("at most {}", kMaxVariables));
     return kNoLetter;
   }
   try {
     return alphabet_.add(module.symbol, static_cast<std::uint16_t>(arity));
   } catch (const std::length_error&) {
-    faults_.add(module.all, "the grammar has more than 65534 letters", "fewer");
+    errors_.add(module.all, "the grammar has more than 65534 letters", "fewer");
     return kNoLetter;
   }
 }
@@ -104,7 +104,7 @@ bool ModuleReader::match_bracket(const ModuleText& module, std::vector<std::stri
   if (module.symbol == "[") open.push_back(module.all);
   if (module.symbol != "]") return true;
   if (open.empty()) {
-    faults_.add(module.all, "']' closes no '['", "'[' before it");
+    errors_.add(module.all, "']' closes no '['", "'[' before it");
     return false;
   }
   open.pop_back();
@@ -112,7 +112,7 @@ bool ModuleReader::match_bracket(const ModuleText& module, std::vector<std::stri
 }
 
 void ModuleReader::report_unclosed(const std::vector<std::string_view>& open) {
-  for (const std::string_view bracket : open) faults_.add(bracket, "'[' is not closed", "']'");
+  for (const std::string_view bracket : open) errors_.add(bracket, "'[' is not closed", "']'");
 }
 
 }  // namespace meristem

@@ -24,8 +24,8 @@ struct ModuleText {
 
 class ModuleReader {
  public:
-  /// Adds errors to `faults` and letters to `alphabet`.
-  ModuleReader(GrammarFaults& faults, Alphabet& alphabet) : faults_(faults), alphabet_(alphabet) {}
+  /// Adds errors to `errors` and letters to `alphabet`.
+  ModuleReader(GrammarErrors& errors, Alphabet& alphabet) : errors_(errors), alphabet_(alphabet) {}
   /// Appends each symbol of the text to `symbols`, some of them twice. Null disables this.
   void note_symbols(std::vector<std::string_view>* symbols) { noted_ = symbols; }
 
@@ -47,7 +47,7 @@ class ModuleReader {
  private:
   std::string_view symbol_of(std::string_view text) const;
 
-  GrammarFaults& faults_;
+  GrammarErrors& errors_;
   Alphabet& alphabet_;
   std::vector<std::string_view>* noted_ = nullptr;
   std::unordered_set<std::string_view> symbols_;  ///< the declared symbols

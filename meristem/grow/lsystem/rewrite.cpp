@@ -12,7 +12,7 @@
 #include "meristem/base/in_quotes.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/lsystem/rule_chooser.h"
-#include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/rule_errors.h"
 
 namespace meristem {
 
@@ -167,8 +167,8 @@ void Rewriter::require_room(const RewritePlan& plan, std::size_t modules, std::s
   const std::vector<std::int64_t>& added = too_many_modules ? plan.added_modules : plan.added_parameters;
   std::vector<std::int64_t> added_by(added.size());
   for (const RuleChoice choice : choices_) added_by[choice] += added[choice];
-  const auto most = std::max_element(added_by.begin() + 1, added_by.end());
-  const Rule& rule = *plan.rules[static_cast<std::size_t>(most - added_by.begin() - 1)].rule;
+  const auto max = std::max_element(added_by.begin() + 1, added_by.end());
+  const Rule& rule = *plan.rules[static_cast<std::size_t>(max - added_by.begin() - 1)].rule;
   throw_word_too_long(too_many_modules ? "modules of a word" : "parameters of a word",
                       static_cast<double>(too_many_modules ? modules : parameters), limit, rule);
 }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/in_quotes.h"
-#include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/rule_errors.h"
 
 namespace meristem {
 
@@ -94,7 +94,7 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
     // Writing in place is safe: the write position never passes the read position.
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
       if (!std::isfinite(values[lane])) {
-        throw_rule_fault(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
+        throw_rule_error(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
                          "a condition that does not divide by zero or the like");
       }
       if (values[lane] != 0) matching_[kept++] = batch[lane];
@@ -112,7 +112,7 @@ void RuleChooser::decide_by_life(const OldWord& old, const RulePlan& plan, RuleC
     const std::span<const double> values = batch_.values(*plan.life);
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
       if (!(values[lane] > 0)) {
-        throw_rule_fault(*plan.rule,
+        throw_rule_error(*plan.rule,
                          fmt::format("the life {} in {} is {:.6g}", in_quotes(plan.life->expression.text()),
                                      in_quotes(plan.rule->text), values[lane]),
                          "a life above 0");

@@ -128,9 +128,9 @@ struct RuleReader::Parts {
   std::string_view successor;
 };
 
-RuleReader::RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, ModuleReader& modules,
+RuleReader::RuleReader(const GrammarText& text, GrammarErrors& errors, const Limits& limits, ModuleReader& modules,
                        std::vector<ExpressionNames::Constant> constants)
-    : text_(text), faults_(faults), limits_(limits), modules_(modules), constants_(std::move(constants)) {}
+    : text_(text), errors_(errors), limits_(limits), modules_(modules), constants_(std::move(constants)) {}
 
 void RuleReader::begin_rule() {
   variables_.clear();
@@ -143,7 +143,7 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
                               std::vector<ModuleTemplate>& modules) {
   bool is_good = true;
   std::string_view rest = text;
-  while (!faults_.is_full()) {
+  while (!errors_.is_full()) {
     const std::string_view before = rest;
     const auto module = modules_.next(rest);
     // After an error in a module, nothing of the rest is read.
@@ -174,7 +174,7 @@ void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>
   }
   // No word contains a colon, so this line is probably a rule without an arrow.
   if (!find_outside_parentheses(text, ':').empty()) {
-    faults_.add(trimmed(text), fmt::format("{} has no arrow", in_quotes(trimmed(text))), "predecessor -> successor",
+    errors_.add(trimmed(text), fmt::format("{} has no arrow", in_quotes(trimmed(text))), "predecessor -> successor",
                 arrow_instead(text));
     return;
   }
@@ -183,7 +183,7 @@ void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>
   for (std::size_t k = first; k < axiom.size(); ++k) {
     for (const Expression& parameter : axiom[k].parameters) {
       if (parameter.is_random()) {
-        faults_.add(text, fmt::format("{} in the axiom is drawn at random", in_quotes(parameter.text())), "a constant");
+        errors_.add(text, fmt::format("{} in the axiom is drawn at random", in_quotes(parameter.text())), "a constant");
         return;
       }
     }
@@ -228,13 +228,13 @@ std::optional<Expression> RuleReader::read_expression(std::string_view text, boo
     try {
       compile(constants_.all());
     } catch (const ExpressionError& error) {
-      const std::size_t offset = std::min(spelled.original_offset(error.fault().offset), text.size());
-      faults_.add(text.substr(offset), error.fault().message, error.fault().expected, error.fault().nearest);
+      const std::size_t offset = std::min(spelled.original_offset(error.details().offset), text.size());
+      errors_.add(text.substr(offset), error.details().message, error.details().expected, error.details().nearest);
     }
     return std::nullopt;
   }
   if (expression->is_constant() && !std::isfinite(expression->evaluate())) {
-    faults_.add(text, fmt::format("{} has no finite value", in_quotes(text)), "a number");
+    errors_.add(text, fmt::format("{} has no finite value", in_quotes(text)), "a number");
     return std::nullopt;
   }
   return expressions_.emplace(spelled.text, std::move(*expression)).first->second;
@@ -245,7 +245,7 @@ std::optional<double> RuleReader::read_constant(std::string_view text) {
   const auto expression = read_expression(text);
   if (!expression) return std::nullopt;
   if (!expression->is_constant()) {
-    faults_.add(text, fmt::format("{} is drawn at random", in_quotes(text)), "a constant");
+    errors_.add(text, fmt::format("{} is drawn at random", in_quotes(text)), "a constant");
     return std::nullopt;
   }
   return expression->evaluate();
@@ -263,7 +263,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
 
   if (parts.predecessor == "[" || parts.predecessor == "]") {
     const bool is_kept = parts.successor == parts.predecessor;
-    if (!is_kept) faults_.add(parts.predecessor, "brackets cannot be rewritten", "another predecessor");
+    if (!is_kept) errors_.add(parts.predecessor, "brackets cannot be rewritten", "another predecessor");
     return std::nullopt;
   }
   bool is_good = read_context(parts.left, false, rule.left);
@@ -271,7 +271,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
   is_good = read_context(parts.right, true, rule.right) && is_good;
   const bool is_hidden = std::find(variables_.begin(), variables_.end(), kAgeName) != variables_.end() ||
                          constants_.has(std::string(kAgeName));
-  const bool has_age = kind == Kind::interpretation && !is_hidden && variables_.size() < kMostVariables;
+  const bool has_age = kind == Kind::interpretation && !is_hidden && variables_.size() < kMaxVariables;
   if (has_age) variables_.emplace_back(kAgeName);
   rule.variable_count = static_cast<std::uint32_t>(variables_.size());
   if (!is_good) return std::nullopt;  // later errors would only follow from unknown names
@@ -300,13 +300,13 @@ void RuleReader::note_age(Rule& rule) {
 bool RuleReader::split_rule(std::string_view line, Parts& parts) {
   const auto arrow = find_arrow(line);
   if (!arrow) {
-    faults_.add(line, fmt::format("{} has no arrow", in_quotes(line)), "predecessor -> successor", arrow_instead(line));
+    errors_.add(line, fmt::format("{} has no arrow", in_quotes(line)), "predecessor -> successor", arrow_instead(line));
     return false;
   }
   const std::string_view left_side = trimmed(line.substr(0, arrow->begin));
   parts.successor = trimmed(line.substr(arrow->begin + arrow->size));
   if (!left_side.empty()) return split_left_side(left_side, parts);
-  faults_.add(line, "no predecessor stands before the arrow", "predecessor -> successor");
+  errors_.add(line, "no predecessor stands before the arrow", "predecessor -> successor");
   return false;
 }
 
@@ -340,13 +340,13 @@ bool RuleReader::split_conditions(std::string_view text, Parts& parts) {
     questions = std::max(questions, 0);
   }
   if (colons.size() > 1) {
-    faults_.add(text.substr(colons[1]), "one ':' too many", "predecessor : condition : weight -> successor");
+    errors_.add(text.substr(colons[1]), "one ':' too many", "predecessor : condition : weight -> successor");
     return false;
   }
   const std::string_view first = trimmed(text.substr(0, colons.empty() ? text.size() : colons.front()));
   const std::string_view second = colons.empty() ? std::string_view() : trimmed(text.substr(colons.front() + 1));
   if (first.empty() || (!colons.empty() && second.empty())) {
-    faults_.add(first.empty() ? text : text.substr(colons.front()), "nothing follows ':'", "a condition, or a weight");
+    errors_.add(first.empty() ? text : text.substr(colons.front()), "nothing follows ':'", "a condition, or a weight");
     return false;
   }
   const bool is_weight = colons.empty() && first != kAlways && first.find_first_of("<>=!&|") == std::string_view::npos;
@@ -363,7 +363,7 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
   const auto left = find_outside_parentheses(text, '<');
   const auto right = find_outside_parentheses(text, '>');
   const auto fail = [&](std::size_t offset, std::string message) {
-    faults_.add(text.substr(offset), std::move(message), "left < predecessor > right");
+    errors_.add(text.substr(offset), std::move(message), "left < predecessor > right");
     return false;
   };
   if (left.size() > 1) return fail(left[1], "a second '<'");
@@ -382,7 +382,7 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
     const std::string_view sign = parts.predecessor.substr(at);
     parts.predecessor = trimmed(parts.predecessor.substr(0, at));
     if (parts.life.empty()) {
-      faults_.add(sign, "nothing follows '@'", "the life of the module: predecessor @ life -> successor");
+      errors_.add(sign, "nothing follows '@'", "the life of the module: predecessor @ life -> successor");
       return false;
     }
   }
@@ -404,7 +404,7 @@ bool RuleReader::read_predecessor(const Parts& parts, Rule& rule) {
   const auto module = modules_.next(rest);
   if (!module) return false;
   if (!trimmed(rest).empty()) {
-    faults_.add(parts.predecessor, fmt::format("the predecessor {} has several modules", in_quotes(parts.predecessor)),
+    errors_.add(parts.predecessor, fmt::format("the predecessor {} has several modules", in_quotes(parts.predecessor)),
                 "one module; '#symbols' declares longer names");
     return false;
   }
@@ -418,11 +418,11 @@ bool RuleReader::read_context(std::string_view text, bool may_branch, std::vecto
   bool is_good = true;
   std::vector<std::string_view> open;
   std::string_view rest = text;
-  while (!trimmed(rest).empty() && !faults_.is_full()) {
+  while (!trimmed(rest).empty() && !errors_.is_full()) {
     const auto module = modules_.next(rest);
     if (!module) return false;
     if (!may_branch && (module->symbol == "[" || module->symbol == "]")) {
-      faults_.add(module->all, "a bracket in the left context",
+      errors_.add(module->all, "a bracket in the left context",
                   "modules on the way to the root; side branches are skipped");
       return false;
     }
@@ -435,14 +435,14 @@ bool RuleReader::read_context(std::string_view text, bool may_branch, std::vecto
     context.push_back(one);
   }
   modules_.report_unclosed(open);
-  return is_good && open.empty() && !faults_.is_full();
+  return is_good && open.empty() && !errors_.is_full();
 }
 
 bool RuleReader::name_parameters(const ModuleText& module) {
   bool is_good = true;
   for (const std::string_view name : module.arguments) {
     const auto fail = [&](std::string message, std::string expected) {
-      faults_.add(name.empty() ? module.all : name, std::move(message), std::move(expected));
+      errors_.add(name.empty() ? module.all : name, std::move(message), std::move(expected));
       is_good = false;
     };
     if (name.empty()) {
@@ -455,8 +455,8 @@ bool RuleReader::name_parameters(const ModuleText& module) {
       fail(fmt::format("'{}' is a function or constant of every expression", name), "another name");
     } else if (std::find(variables_.begin(), variables_.end(), name) != variables_.end()) {
       fail(fmt::format("'{}' names two parameters", name), "another name");
-    } else if (variables_.size() == kMostVariables) {
-      fail(fmt::format("the rule has more than {} parameters", kMostVariables), "fewer");
+    } else if (variables_.size() == kMaxVariables) {
+      fail(fmt::format("the rule has more than {} parameters", kMaxVariables), "fewer");
       return false;
     } else {
       variables_.emplace_back(name);
@@ -468,11 +468,11 @@ bool RuleReader::name_parameters(const ModuleText& module) {
 bool RuleReader::read_life(const Parts& parts, Kind kind, Rule& rule) {
   if (parts.life.empty()) return true;
   if (kind != Kind::production) {
-    faults_.add(parts.life, "a life in a rule that takes no time", "lives in the rules behind #rules alone");
+    errors_.add(parts.life, "a life in a rule that takes no time", "lives in the rules behind #rules alone");
     return false;
   }
   const auto refuse = [&](std::string_view where, std::string message, std::string expected) {
-    faults_.add(where, std::move(message), std::move(expected));
+    errors_.add(where, std::move(message), std::move(expected));
     return false;
   };
   if (!parts.left.empty() || !parts.right.empty()) {
@@ -496,14 +496,14 @@ bool RuleReader::read_conditions(const Parts& parts, Rule& rule) {
     rule.condition = read_expression(parts.condition, true);
     is_good = rule.condition.has_value();
     if (is_good && rule.condition->is_constant() && rule.condition->evaluate() == 0) {
-      faults_.warn(parts.condition, fmt::format("the condition {} is never true", in_quotes(parts.condition)));
+      errors_.warn(parts.condition, fmt::format("the condition {} is never true", in_quotes(parts.condition)));
     }
   }
   if (!parts.weight.empty()) {
     rule.weight = read_expression(parts.weight);
     is_good = rule.weight.has_value() && is_good;
     if (rule.weight && rule.weight->is_constant() && rule.weight->evaluate() <= 0) {
-      faults_.add(parts.weight, fmt::format("the weight {} is not above 0", in_quotes(parts.weight)),
+      errors_.add(parts.weight, fmt::format("the weight {} is not above 0", in_quotes(parts.weight)),
                   "a number above 0");
       return false;
     }

@@ -46,7 +46,7 @@ class GrammarConstants {
 
 class RuleReader {
  public:
-  RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, ModuleReader& modules,
+  RuleReader(const GrammarText& text, GrammarErrors& errors, const Limits& limits, ModuleReader& modules,
              std::vector<ExpressionNames::Constant> constants);
 
   GrammarConstants& constants() { return constants_; }
@@ -89,7 +89,7 @@ class RuleReader {
   void note_names_of(std::string_view expression);
 
   const GrammarText& text_;
-  GrammarFaults& faults_;
+  GrammarErrors& errors_;
   const Limits& limits_;
   ModuleReader& modules_;
   GrammarConstants constants_;

@@ -33,21 +33,21 @@ double sum_of_parameters(const Word& word) {
   return sum;
 }
 
-std::vector<std::string> faults_of(const std::string& text) {
+std::vector<std::string> errors_of(const std::string& text) {
   try {
     read_grammar(text);
   } catch (const InputError& error) {
     std::vector<std::string> texts;
-    for (const Diagnostic& fault : error.diagnostics()) texts.push_back(fault.text());
+    for (const Diagnostic& found : error.diagnostics()) texts.push_back(found.text());
     return texts;
   }
   return {};
 }
 
-std::string fault_of(const std::string& rules) {
-  const std::vector<std::string> faults = faults_of("A\n" + rules + "\n");
-  EXPECT_EQ(faults.size(), 1U) << rules;
-  return faults.empty() ? "" : faults.front();
+std::string error_of(const std::string& rules) {
+  const std::vector<std::string> errors = errors_of("A\n" + rules + "\n");
+  EXPECT_EQ(errors.size(), 1U) << rules;
+  return errors.empty() ? "" : errors.front();
 }
 
 /// Anabaena catenula, section 6.1. Lengths grow as e^(a t), without a jump at cell divisions: e^a is the golden ratio.
@@ -186,10 +186,10 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(TimedGrammar, WordsThatWillBeTooLongAreRefusedBeforeTheFirst) {
   const std::string doubling = "F(1)\n#rules\nF(x) @ 0.5 -> F(x)F(x)\n";
-  const std::string fault = outcome(doubling, 14);  // 2^28
-  EXPECT_TRUE(has(fault, "268435456 modules of a word are too many")) << fault;
-  EXPECT_TRUE(has(fault, "'F(x) @ 0.5 -> F(x)F(x)' adds most")) << fault;
-  EXPECT_TRUE(has(fault, "limits.modules")) << fault;
+  const std::string error = outcome(doubling, 14);  // 2^28
+  EXPECT_TRUE(has(error, "268435456 modules of a word are too many")) << error;
+  EXPECT_TRUE(has(error, "'F(x) @ 0.5 -> F(x)F(x)' adds most")) << error;
+  EXPECT_TRUE(has(error, "limits.modules")) << error;
   EXPECT_EQ(outcome(doubling, 13.9), "cancelled");
   // Modules with different lives: the word grows by the golden ratio per unit of time.
   EXPECT_TRUE(has(outcome("A\n#rules\nA @ 0.1 -> AB\nB @ 0.2 -> A\n", 100), "modules of a word are too many"));
@@ -204,26 +204,26 @@ TEST(TimedGrammar, WordsThatMayStayShortAreNotRefusedUnderived) {
 }
 
 TEST(TimedGrammar, FaultsAreLocated) {
-  EXPECT_EQ(fault_of("A @ -> B"),
+  EXPECT_EQ(error_of("A @ -> B"),
             "2:3: nothing follows '@'; expected the life of the module: predecessor @ life -> successor");
-  EXPECT_EQ(fault_of("A @ 0 -> B"), "2:5: the life '0' is not above 0; expected a number above 0");
-  EXPECT_EQ(fault_of("B < A @ 1 -> B"),
+  EXPECT_EQ(error_of("A @ 0 -> B"), "2:5: the life '0' is not above 0; expected a number above 0");
+  EXPECT_EQ(error_of("B < A @ 1 -> B"),
             "2:1: a rule with a life sees its neighbours; expected a rule without contexts: "
             "modules come to their ends at different times");
-  EXPECT_EQ(fault_of("A @ 1 : 2 -> B"), "2:9: a rule with a life is drawn by chance; expected a rule without a weight");
-  EXPECT_EQ(fault_of("A @ 1 -> B(rand())"),
+  EXPECT_EQ(error_of("A @ 1 : 2 -> B"), "2:9: a rule with a life is drawn by chance; expected a rule without a weight");
+  EXPECT_EQ(error_of("A @ 1 -> B(rand())"),
             "2:1: a rule with a life draws random numbers; expected expressions without chance");
-  EXPECT_EQ(fault_of("A @ 1 -> B\nB -> A"),
+  EXPECT_EQ(error_of("A @ 1 -> B\nB -> A"),
             "3:1: the rule has no life, and others have one; expected predecessor @ life -> successor");
-  EXPECT_EQ(fault_of("A @ 1 -> B\n#interpret\nB @ 1 -> F"),
+  EXPECT_EQ(error_of("A @ 1 -> B\n#interpret\nB @ 1 -> F"),
             "4:5: a life in a rule that takes no time; expected lives in the rules behind #rules alone");
   EXPECT_EQ(
-      fault_of("A @ 1 -> B\n#decompose\nB -> F"),
+      error_of("A @ 1 -> B\n#decompose\nB -> F"),
       "4:1: a decomposition in a grammar with lives; expected rules behind #rules, with lives, or behind #interpret");
-  EXPECT_EQ(fault_of("#steps 3\nA @ 1 -> B"), "2:1: '#steps' in a grammar with lives; expected #time");
-  EXPECT_EQ(fault_of("#time 3\nA -> B"),
+  EXPECT_EQ(error_of("#steps 3\nA @ 1 -> B"), "2:1: '#steps' in a grammar with lives; expected #time");
+  EXPECT_EQ(error_of("#time 3\nA -> B"),
             "2:1: '#time' in a grammar without lives; expected #steps, or rules with lives");
-  EXPECT_EQ(fault_of("#time -1\nA @ 1 -> B"), "2:7: '-1' is not a time; expected a number of at least 0");
+  EXPECT_EQ(error_of("#time -1\nA @ 1 -> B"), "2:7: '-1' is not a time; expected a number of at least 0");
 }
 
 TEST(TimedGrammar, ALifeThatIsNoneIsToldAtItsRule) {

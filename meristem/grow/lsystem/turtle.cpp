@@ -27,7 +27,7 @@ constexpr double kStraightUp = 1e-6;         // sine of the angle to the vertica
 constexpr double kFarthest = 1e9;            // metres; limit for the precision of squared floats
 constexpr std::size_t kDeepest = 1'000'000;  // nested brackets
 constexpr double kShortest = 1e-9;           // metres; shorter segments make no node
-constexpr std::size_t kMostCorners = 2000;
+constexpr std::size_t kMaxCorners = 2000;
 constexpr std::size_t kFewestCorners = 3;  // of a polygon
 
 /// Rotates a and b in their plane, a toward b.
@@ -89,7 +89,7 @@ class Turtle {
       }
       progress.advance(at_ - begin);
     }
-    if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
+    if (!open_.empty()) throw_error("the word leaves a polygon open", "a } for each {");
     make_room(nodes_);
     assign_apical_axes(drawing_.skeleton, begins_branch_);
     drawing_.skeleton.extra.emplace(kEndColumn, std::move(ends_));
@@ -200,10 +200,10 @@ class Turtle {
   }
 
   [[noreturn]] void fail(std::string_view what, std::string expected) const {
-    throw_fault(fmt::format("module {} of the word {}", at_ + 1, what), std::move(expected));
+    throw_error(fmt::format("module {} of the word {}", at_ + 1, what), std::move(expected));
   }
 
-  [[noreturn]] void throw_fault(std::string message, std::string expected) const {
+  [[noreturn]] void throw_error(std::string message, std::string expected) const {
     throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path_});
   }
 
@@ -361,8 +361,8 @@ class Turtle {
 
   void corner() {
     if (open_.empty()) return;
-    if (open_.back().corners.size() == kMostCorners) {
-      fail("is one corner too many of a polygon", fmt::format("at most {}, and a }} for each {{", kMostCorners));
+    if (open_.back().corners.size() == kMaxCorners) {
+      fail("is one corner too many of a polygon", fmt::format("at most {}, and a }} for each {{", kMaxCorners));
     }
     open_.back().corners.emplace_back(state_.position);
   }

@@ -39,7 +39,7 @@ void expect_near(Vec3 found, Vec3 expected, float tolerance = kNear) {
                                                       << expected.x << " " << expected.y << " " << expected.z;
 }
 
-std::string fault_of(const std::string& word, const Limits& limits = {}) {
+std::string error_of(const std::string& word, const Limits& limits = {}) {
   const Grammar grammar = read_grammar("#axiom\n" + word + "\n#rules\n");
   Progress progress;
   const Word derived = derive(grammar, 0, RandomKey(1), Limits(), progress);
@@ -254,13 +254,13 @@ TEST(TurtlePolygon, MayLieInAnother) {
 }
 
 TEST(TurtlePolygon, NeedsItsEnd) {
-  EXPECT_THAT(fault_of("F{.f.f."), HasSubstr("the word leaves a polygon open; expected a } for each {"));
-  EXPECT_THAT(fault_of("{" + std::string(2001, '.') + "}"),
+  EXPECT_THAT(error_of("F{.f.f."), HasSubstr("the word leaves a polygon open; expected a } for each {"));
+  EXPECT_THAT(error_of("{" + std::string(2001, '.') + "}"),
               HasSubstr("module 2002 of the word is one corner too many of a polygon; expected at most 2000"));
 }
 
 TEST(TurtlePolygon, NeedsItsBegin) {
-  EXPECT_THAT(fault_of("Ff.}"), HasSubstr("components.plant: module 4 of the word closes a polygon"));
+  EXPECT_THAT(error_of("Ff.}"), HasSubstr("components.plant: module 4 of the word closes a polygon"));
 }
 
 TEST(TurtleSite, StandsOnTheStem) {
@@ -274,25 +274,25 @@ TEST(TurtleSite, StandsOnTheStem) {
   EXPECT_EQ(drawing.places[1].node, 2U);
   EXPECT_EQ(drawn("~K").places[0].node, kNoNode);
   EXPECT_EQ(drawn("F~F(2)").skeleton.node_count(), 2U) << "a name is nothing to draw";
-  EXPECT_THAT(fault_of("F~"), HasSubstr("module 2 of the word is a ~ without a name"));
+  EXPECT_THAT(error_of("F~"), HasSubstr("module 2 of the word is a ~ without a name"));
 }
 
 TEST(Turtle, StopsAtTheLimitOfNodes) {
   Limits limits;
   limits.nodes = 2;
-  EXPECT_THAT(fault_of("FFF", limits), HasSubstr("limits.nodes"));
+  EXPECT_THAT(error_of("FFF", limits), HasSubstr("limits.nodes"));
 }
 
 TEST(Turtle, StopsAtTheLimitOfPolygonsAndPlaces) {
   Limits limits;
   limits.instances = 2;
-  EXPECT_THAT(fault_of("~A{...}~A", limits), HasSubstr("limits.instances"));
+  EXPECT_THAT(error_of("~A{...}~A", limits), HasSubstr("limits.instances"));
 }
 
 TEST(Turtle, StopsAtTheEndOfTheWorld) {
-  EXPECT_THAT(fault_of("F(1e308)F(1e308)"), HasSubstr("module 1 of the word leads out of the world"));
-  EXPECT_THAT(fault_of("F(1e9)F(1)"), HasSubstr("module 2 of the word leads out of the world"));
-  EXPECT_THAT(fault_of("F!(1e39)F"), HasSubstr("module 3 of the word is wider than the world"));
+  EXPECT_THAT(error_of("F(1e308)F(1e308)"), HasSubstr("module 1 of the word leads out of the world"));
+  EXPECT_THAT(error_of("F(1e9)F(1)"), HasSubstr("module 2 of the word leads out of the world"));
+  EXPECT_THAT(error_of("F!(1e39)F"), HasSubstr("module 3 of the word is wider than the world"));
 }
 
 /// P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, figure 1.25.
@@ -345,17 +345,17 @@ int compare_figures(const std::string& path) {
     EXPECT_TRUE(check_skeleton(skeleton)) << name;
     const nlohmann::json& expected = entry["turtle"];
     EXPECT_EQ(skeleton.node_count() - 1, expected["segments"].get<std::size_t>()) << name;
-    Vec3 least(0);
-    Vec3 most(0);
+    Vec3 min(0);
+    Vec3 max(0);
     for (const Vec3 position : skeleton.position) {
-      least = glm::min(least, position);
-      most = glm::max(most, position);
+      min = glm::min(min, position);
+      max = glm::max(max, position);
     }
     const auto& box = expected["bbox"];
-    EXPECT_NEAR(least.x, box[0].get<double>(), 1e-3) << name;
-    EXPECT_NEAR(least.y, box[1].get<double>(), 1e-3) << name;
-    EXPECT_NEAR(most.x, box[2].get<double>(), 1e-3) << name;
-    EXPECT_NEAR(most.y, box[3].get<double>(), 1e-3) << name;
+    EXPECT_NEAR(min.x, box[0].get<double>(), 1e-3) << name;
+    EXPECT_NEAR(min.y, box[1].get<double>(), 1e-3) << name;
+    EXPECT_NEAR(max.x, box[2].get<double>(), 1e-3) << name;
+    EXPECT_NEAR(max.y, box[3].get<double>(), 1e-3) << name;
     // If a bracketed branch continues the stem, the stem is longer than the turtle's unbracketed path.
     const Vec3 end(expected["end"][0].get<float>(), expected["end"][1].get<float>(), 0);
     const auto stem = Axes(skeleton);

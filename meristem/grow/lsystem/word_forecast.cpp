@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/rule_errors.h"
 
 namespace meristem {
 
 namespace {
 
 /// Limits the work of a forecast to some milliseconds, measured in letters of successors.
-constexpr std::size_t kMostWork = 4'000'000;
+constexpr std::size_t kMaxWork = 4'000'000;
 
 using Counts = std::vector<double>;  // by letter
 
@@ -57,15 +57,15 @@ void keep_common(std::vector<LetterCount>& counts, const std::vector<LetterCount
 
 /// Returns the smallest successor of a letter: the successor of its rule, or the common part of all of its rules and of
 /// the unchanged letter.
-std::vector<LetterCount> least_successor(const RewritePlan& production, LetterIndex letter) {
+std::vector<LetterCount> min_successor(const RewritePlan& production, LetterIndex letter) {
   const RuleChoice choice = production.by_letter[letter];
   if (choice != kCopied && choice != kUndecided) return counted(production.rules[choice - 1].letters);
-  std::vector<LetterCount> least{{letter, 1}};
-  if (choice == kCopied) return least;
+  std::vector<LetterCount> min{{letter, 1}};
+  if (choice == kCopied) return min;
   for (const std::uint32_t rule : production.set->of_letter[letter]) {
-    keep_common(least, counted(production.set->rules[rule].successor));
+    keep_common(min, counted(production.set->rules[rule].successor));
   }
-  return least;
+  return min;
 }
 
 double sum_of(const Counts& counts) {
@@ -77,13 +77,13 @@ double sum_of(const Counts& counts) {
 /// Returns the rule whose successors add most modules to a word with these letters, or null if no rule adds any.
 const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   const Rule* longest = nullptr;
-  double most = 0;
+  double max = 0;
   for (std::size_t letter = 0; letter < counts.size(); ++letter) {
     const RuleChoice choice = production.by_letter[letter];
     if (choice == kCopied || choice == kUndecided) continue;
     const double added = counts[letter] * static_cast<double>(production.added_modules[choice]);
-    if (added > most) {
-      most = added;
+    if (added > max) {
+      max = added;
       longest = production.rules[choice - 1].rule;
     }
   }
@@ -107,8 +107,8 @@ TimedLetter timed_letter(const RewritePlan& production, LetterIndex letter) {
   if (const double life = is_known ? first.life->evaluate() : 0; life > 0 && std::isfinite(life)) {
     return {life, counted(first.successor), &first};
   }
-  const std::vector<LetterCount> least = least_successor(production, letter);
-  return {{}, {}, nullptr, std::ranges::any_of(least, [&](LetterCount one) { return one.letter == letter; })};
+  const std::vector<LetterCount> min = min_successor(production, letter);
+  return {{}, {}, nullptr, std::ranges::any_of(min, [&](LetterCount one) { return one.letter == letter; })};
 }
 
 /// Modules that will be replaced, by birth and letter, and the number of all other modules.
@@ -140,14 +140,14 @@ void require_bounded_words(const Grammar& grammar, const RewritePlan& production
   std::vector<std::vector<LetterCount>> successors;
   std::size_t work_per_step = alphabet_size;
   for (std::size_t letter = 0; letter < alphabet_size; ++letter) {
-    successors.push_back(least_successor(production, static_cast<LetterIndex>(letter)));
+    successors.push_back(min_successor(production, static_cast<LetterIndex>(letter)));
     work_per_step += successors.back().size();
   }
 
   Counts counts(alphabet_size);
   for (const LetterCount& of_axiom : counted(grammar.axiom)) counts[of_axiom.letter] = of_axiom.count;
-  const auto most_steps = static_cast<int>(std::min<std::size_t>(kMostWork / work_per_step, kMostSteps));
-  for (int step = 0; step < std::min(steps, most_steps); ++step) {
+  const auto max_steps = static_cast<int>(std::min<std::size_t>(kMaxWork / work_per_step, kMaxSteps));
+  for (int step = 0; step < std::min(steps, max_steps); ++step) {
     Counts next(alphabet_size);
     for (std::size_t letter = 0; letter < alphabet_size; ++letter) {
       if (counts[letter] == 0) continue;
@@ -178,9 +178,9 @@ void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& prod
 
   // Replace one generation after another, as the derivation does.
   std::size_t work = 0;
-  while (!counts.living.empty() && work < kMostWork) {
+  while (!counts.living.empty() && work < kMaxWork) {
     TimedCounts next{{}, counts.resting};
-    double most = 0;
+    double max = 0;
     const Rule* longest = nullptr;
     for (const auto& [of, count] : counts.living) {
       const TimedLetter& dying = letters[of.second];
@@ -190,8 +190,8 @@ void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& prod
       }
       work += dying.successor.size() + 1;
       const double added = count * (static_cast<double>(dying.rule->successor.size()) - 1);
-      if (added > most) {
-        most = added;
+      if (added > max) {
+        max = added;
         longest = dying.rule;
       }
     }

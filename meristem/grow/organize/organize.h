@@ -106,7 +106,7 @@ struct OrganizeParameters {
   double summer = 0.5;                ///< 0 to 1: share of an iteration's growth before its summer operations
   bool plans = false;                 ///< true: the operations of the last iteration are only planned and reported
   bool keeps_fallen = false;  ///< true: the skeleton also contains shed and cut shoots, with the time of their loss
-  TraceWish wish;             ///< parts to record; everything except attraction points is supported
+  TraceRequest request;       ///< parts to record; everything except attraction points is supported
   /// Directions of light and gravity. Light fields that are not the scene's own are added to the light direction of a
   /// bud.
   std::optional<Directions> directions{};  ///< unset: the scene's

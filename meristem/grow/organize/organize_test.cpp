@@ -15,7 +15,7 @@
 
 namespace meristem::organize_test {
 
-Diagnostic fault_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {},
+Diagnostic error_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {},
                     const Frame& seed = {}) {
   try {
     grow_organized(parameters, 1, scene, seed, limits);
@@ -197,8 +197,8 @@ TEST(Organize, PriorityForTheFirstIterationsGrowsAnotherTreeThatDoesNotExplode) 
 TEST(Organize, LongestShootBoundsWhatABudGrowsInAnIteration) {
   OrganizeParameters parameters = full(12);
   parameters.resource.lambda = 0.6;
-  const auto longest = [&](int most) {
-    parameters.longest_shoot = most;
+  const auto longest = [&](int max) {
+    parameters.longest_shoot = max;
     const Skeleton tree = grow_organized(parameters);
     std::vector<int> run(tree.node_count(), 1);
     for (NodeIndex node = 1; node < tree.node_count(); ++node) {
@@ -287,7 +287,7 @@ TEST(Organize, ExplosionStopsAtTheLimitOfNodes) {
   parameters.resource.lambda = 0.5;
   Limits limits;
   limits.nodes = 5000;
-  const Diagnostic found = fault_of(parameters, {}, limits);
+  const Diagnostic found = error_of(parameters, {}, limits);
   EXPECT_EQ(found.path, "components.tree.resource.alpha");
   EXPECT_NE(found.text().find("nodes"), std::string::npos) << found.text();
 }
@@ -317,26 +317,26 @@ TEST(Organize, ASeedInAnObstacleIsRefused) {
   Obstacle block;
   block.mesh = box_mesh({-1, -1, -1}, {1, 0.5, 1});
   scene.obstacles = Obstacles({block});
-  const Diagnostic found = fault_of(full(5), scene);
+  const Diagnostic found = error_of(full(5), scene);
   EXPECT_EQ(found.path, "components.tree.roots");
   EXPECT_NE(found.message.find("(0, 0, 0)"), std::string::npos) << found.message;
 }
 
 TEST(Organize, WhereNothingGrowsIsAFault) {
-  EXPECT_EQ(fault_of(organized(0.9, 5)).path, "components.tree.resource.alpha");
+  EXPECT_EQ(error_of(organized(0.9, 5)).path, "components.tree.resource.alpha");
   Scene night;
   night.light.sun.clear();
-  EXPECT_EQ(fault_of(full(5), night).path, "components.tree.light");
+  EXPECT_EQ(error_of(full(5), night).path, "components.tree.light");
   Scene cellar;
   Obstacle lid;
   lid.mesh = box_mesh({-50, 20, -50}, {50, 21, 50});
   cellar.obstacles = Obstacles({lid});
-  EXPECT_EQ(fault_of(full(5), cellar).path, "components.tree.light");
+  EXPECT_EQ(error_of(full(5), cellar).path, "components.tree.light");
   // A bud does not open in the dark, however low its threshold is.
   OrganizeParameters undemanding = full(5);
   undemanding.terminal_threshold = 0;
   undemanding.resource.alpha0 = 2;
-  EXPECT_EQ(fault_of(undemanding, night).path, "components.tree.light");
+  EXPECT_EQ(error_of(undemanding, night).path, "components.tree.light");
 }
 
 TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {
@@ -352,7 +352,7 @@ TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {
 TEST(Organize, WhereNoStemHasRoomIsAFaultOfTheRoots) {
   // Seeds that point into the ground.
   const Frame down = frame_along(Vec3(0), -kUp, Vec3(0, 0, 1));
-  EXPECT_EQ(fault_of(full(5), {}, {}, down).path, "components.tree.roots");
+  EXPECT_EQ(error_of(full(5), {}, {}, down).path, "components.tree.roots");
 }
 
 TEST(Organize, NoIterationsLeaveTheSeed) {

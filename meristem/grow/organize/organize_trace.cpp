@@ -76,15 +76,15 @@ Skeleton OrganizeTrace::standing_after(int step, const Scene&, Progress&) const 
   return steps_[static_cast<std::size_t>(step)].skeleton;
 }
 
-StepMarks OrganizeTrace::marks_of(int step, TraceWish wish, const Progress& progress) const {
+StepMarks OrganizeTrace::marks_of(int step, TraceRequest request, const Progress& progress) const {
   const Step& now = steps_[static_cast<std::size_t>(step)];
   StepMarks marks;
-  if (wish.has(TracePart::ways)) (seeks_room_ ? marks.room_ways : marks.ways) = now.ways;
-  if (wish.has(TracePart::losses)) {
+  if (request.has(TracePart::ways)) (seeks_room_ ? marks.room_ways : marks.ways) = now.ways;
+  if (request.has(TracePart::losses)) {
     marks.losses.assign(std::ranges::lower_bound(losses_, step, {}, &TracedLoss::step),
                         std::ranges::upper_bound(losses_, step, {}, &TracedLoss::step));
   }
-  if (wish.has(TracePart::markers)) marks.markers = markers(now.skeleton, progress);
+  if (request.has(TracePart::markers)) marks.markers = markers(now.skeleton, progress);
   return marks;
 }
 
@@ -102,8 +102,8 @@ std::vector<TracedPlace> OrganizeTrace::markers(const Skeleton& skeleton, const 
     blocks[k] = blocks_about(trees[k].position, room_->perception, side, progress);
     markers += static_cast<double>(blocks[k].size()) * std::pow(side / spacing, 3);
   }
-  if (markers > static_cast<double>(room_->most_markers)) {
-    throw_limit("markers of room to be shown", markers, room_->most_markers, "points", room_->path);
+  if (markers > static_cast<double>(room_->max_markers)) {
+    throw_limit("markers of room to be shown", markers, room_->max_markers, "points", room_->path);
   }
 
   // Occupy the markers of all shoots in a copy of the vacant field.

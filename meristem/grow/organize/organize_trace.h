@@ -21,7 +21,7 @@ struct TracedRoom {
   MarkerField vacant;                  ///< the field without any shoots
   std::vector<std::uint32_t> volumes;  ///< volume of each tree in the field
   double perception = 0;               ///< metres up to which buds see markers
-  std::uint64_t most_markers = Limits().points;
+  std::uint64_t max_markers = Limits().points;
   std::string path;  ///< document path of the markers' spacing, for the error about too many markers
 };
 
@@ -54,7 +54,7 @@ class OrganizeTrace : public GrowthTrace {
   Skeleton standing_after(int step, const Scene& scene, Progress& progress) const override;
   /// Returns directions, losses and markers. Markers are shown if the component's own trees have occupied or could see.
   /// Cost of markers: proportional to the nodes of the trees times the cube of the buds' range of vision.
-  StepMarks marks_of(int step, TraceWish wish, const Progress& progress) const override;
+  StepMarks marks_of(int step, TraceRequest request, const Progress& progress) const override;
   std::vector<TracedPlace> markers(const Skeleton& skeleton, const Progress& progress) const;
 
   bool seeks_room_;

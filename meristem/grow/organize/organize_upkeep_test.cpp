@@ -150,10 +150,10 @@ TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
   ASSERT_EQ(swollen.position, plain.position);
   // The wood swells most at the cut, hardly near the ground, and not at all in young wood.
   const auto gain = [&](NodeIndex node) { return swollen.radius[node] / plain.radius[node]; };
-  NodeIndex most = 0;
-  for (NodeIndex node = 0; node < plain.node_count(); ++node) most = gain(node) > gain(most) ? node : most;
-  EXPECT_GT(gain(most), 1.3F);
-  EXPECT_GT(plain.extra.find("cut_at")->second[most], 0);
+  NodeIndex max = 0;
+  for (NodeIndex node = 0; node < plain.node_count(); ++node) max = gain(node) > gain(max) ? node : max;
+  EXPECT_GT(gain(max), 1.3F);
+  EXPECT_GT(plain.extra.find("cut_at")->second[max], 0);
   EXPECT_LT(gain(1), 1.05F);
   for (NodeIndex node = 0; node < plain.node_count(); ++node) {
     EXPECT_GE(gain(node), 1) << node;
@@ -220,7 +220,7 @@ std::pair<Skeleton, std::optional<Skeleton>> grow_all(const OrganizeParameters& 
 /// Returns the trees of a stand before and after their planned operations, from one growth.
 std::pair<Skeleton, Skeleton> planned_and_done(OrganizeParameters parameters, const std::vector<Vec3>& roots) {
   parameters.plans = true;
-  parameters.wish = {TracePart::outcome};
+  parameters.request = {TracePart::outcome};
   auto [before, outcome] = grow_all(parameters, roots);
   EXPECT_TRUE(outcome);
   return {std::move(before), outcome.value()};
@@ -257,10 +257,10 @@ TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
 
 TEST(OrganizePlan, NobodyElseFeelsItsOutcome) {
   // A neighbouring tree continues to grow while the other records its outcome.
-  const auto neighbour = [](bool wishes) {
+  const auto neighbour = [](bool requests) {
     OrganizeParameters parameters = with(full(9), cut_above(9, "main", 2));
     parameters.plans = true;
-    if (wishes) parameters.wish = {TracePart::outcome};
+    if (requests) parameters.request = {TracePart::outcome};
     const Scene scene;
     Stand stand;
     add_organizer(stand, parameters, 1, scene);

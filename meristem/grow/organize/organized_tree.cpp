@@ -153,7 +153,7 @@ void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress
       sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral, recent);
     }
   });
-  if (species_->parameters.wish.has(TracePart::ways)) record_ways(sprouts, flush);
+  if (species_->parameters.request.has(TracePart::ways)) record_ways(sprouts, flush);
   if (is_pruned()) tie_shoots(iteration);
   std::uint64_t more = 0;
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
@@ -290,7 +290,7 @@ void OrganizedTree::shed(int iteration) {
 }
 
 void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const LossReason& why) {
-  if (species_->parameters.wish.has(TracePart::losses)) record_loss(first, iteration, why);
+  if (species_->parameters.request.has(TracePart::losses)) record_loss(first, iteration, why);
   if (species_->parameters.keeps_fallen) fallen_.note(metamers_, first, iteration);
   tree_.cut_off(first, after);
 }

@@ -25,7 +25,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostTreeBlocks = 256;  // blocks of trees per parallel loop, at most
+constexpr std::size_t kMaxTreeBlocks = 256;  // blocks of trees per parallel loop, at most
 
 void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations must be 0 to 65535");
@@ -53,11 +53,11 @@ void check_parameters(const OrganizeParameters& parameters) {
     require(tie == nullptr || (tie->below.value_or(1) >= 1 && tie->iterations >= 1 && tie->length >= 0),
             "organize: a tie is out of its ranges");
     const Mark* const mark = std::get_if<Mark>(&operation.what);
-    require(mark == nullptr || mark->state < kMostMarks, "organize: a mark has no such number");
+    require(mark == nullptr || mark->state < kMaxMarks, "organize: a mark has no such number");
   }
   require(parameters.callus >= 0, "organize: callus must not be negative");
   require(parameters.summer > 0 && parameters.summer < 1, "organize: summer is between 0 and 1");
-  require(parameters.marks.size() <= kMostMarks, "organize: there are too many marks");
+  require(parameters.marks.size() <= kMaxMarks, "organize: there are too many marks");
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0,
           "organize: the numbers of light must not be negative");
 }
@@ -72,7 +72,7 @@ class Organizer : public Grower {
         rounds_(species_.rounds()) {
     require_wood(seeds);
     const bool seeks_room = parameters.light.kind == BudLightModel::Kind::markers;
-    if (parameters.wish.any()) trace_ = std::make_unique<OrganizeTrace>(seeks_room);
+    if (parameters.request.any()) trace_ = std::make_unique<OrganizeTrace>(seeks_room);
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
       OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
@@ -95,7 +95,7 @@ class Organizer : public Grower {
     const bool is_rest = round % rounds_ != 0;
     if (is_rest && !(has_summer && round % rounds_ == rounds_ / 2)) return true;
     const bool is_last = iteration > species_.parameters.iterations;
-    const bool is_recorded = species_.parameters.wish.any() && !is_rest;
+    const bool is_recorded = species_.parameters.request.any() && !is_rest;
     const Flush flush = !has_summer ? Flush::whole : (is_rest ? Flush::rest : Flush::first);
     std::vector<std::uint64_t> planned(trees_.size());
     for_each_tree([&](std::size_t k) {
@@ -131,7 +131,7 @@ class Organizer : public Grower {
   }
 
   std::unique_ptr<GrowthTrace> take_trace() override {
-    if (!species_.parameters.wish.any()) return nullptr;
+    if (!species_.parameters.request.any()) return nullptr;
     if (!planned_) end_record();
     return std::move(trace_);
   }
@@ -144,7 +144,7 @@ class Organizer : public Grower {
   /// Calls `visit` for all trees in parallel. Trees affect each other only through the stand.
   template <class Visit>
   void for_each_tree(Visit visit) {
-    parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
+    parallel_for(trees_.size(), 1 + trees_.size() / kMaxTreeBlocks, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) visit(k);
     });
   }
@@ -160,13 +160,13 @@ class Organizer : public Grower {
     std::vector<TracedLoss> losses;
     for (const OrganizedTree& tree : trees_) losses.insert(losses.end(), tree.losses().begin(), tree.losses().end());
     trace_->lose(std::move(losses));
-    if (species_.parameters.wish.has(TracePart::markers)) show_room();
+    if (species_.parameters.request.has(TracePart::markers)) show_room();
   }
 
   /// Records the trees after the previous iteration, and the directions that they follow in this one.
   void record(Progress& progress) {
     OrganizeTrace::Step step;
-    if (species_.parameters.wish.has(TracePart::steps)) {
+    if (species_.parameters.request.has(TracePart::steps)) {
       std::vector<Skeleton> skeletons(trees_.size());
       for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].skeleton(progress); });
       step.skeleton = join_skeletons(std::move(skeletons));
@@ -187,7 +187,7 @@ class Organizer : public Grower {
     if (field == nullptr) return;
     TracedRoom room{.vacant = field->vacant(),
                     .perception = species_.parameters.light.perception * species_.parameters.length,
-                    .most_markers = species_.limits.points,
+                    .max_markers = species_.limits.points,
                     .path = species_.path("light.spacing")};
     for (const OrganizedTree& tree : trees_) room.volumes.push_back(tree.room().volume);
     trace_->show_room(std::move(room));
@@ -217,7 +217,7 @@ class Organizer : public Grower {
   void require_wood(const std::vector<OrganizeSeed>& seeds) const {
     double metamers = 0;
     for (const OrganizeSeed& seed : seeds) {
-      if (seed.wood) metamers += most_metamers_of_wood(*seed.wood, species_.parameters.length);
+      if (seed.wood) metamers += max_metamers_of_wood(*seed.wood, species_.parameters.length);
     }
     if (metamers <= static_cast<double>(species_.limits.nodes)) return;
     throw_limit("metamers of the trees that stand there", metamers, species_.limits.nodes, "nodes",
@@ -233,18 +233,18 @@ class Organizer : public Grower {
 
   /// Throws an error if no tree has ever grown a metamer.
   void require_growth() const {
-    double most = 0;
+    double max = 0;
     double light = 0;
     for (const OrganizedTree& tree : trees_) {
       if (tree.has_grown()) return;
-      most = std::max(most, tree.flow().resource[0]);
+      max = std::max(max, tree.flow().resource[0]);
       light = std::max(light, tree.flow().light[0]);
     }
     if (trees_.empty() || species_.parameters.iterations == 0) return;
     if (!(light > 0)) {
       species_.refuse("light", "nothing grows: the seed's bud has no light", "more light or room at the roots");
     }
-    if (most >= species_.parameters.terminal_threshold) {
+    if (max >= species_.parameters.terminal_threshold) {
       species_.refuse("roots",
                       "nothing grows: obstacles, the ground or the end of the room stand in the way of every stem",
                       "roots with room above them, or shorter metamers");
@@ -252,7 +252,7 @@ class Organizer : public Grower {
     species_.refuse("resource.alpha",
                     fmt::format("nothing grows: the light of the seed's bud makes a resource of {:.4g} at most, and it "
                                 "opens at {:.4g}",
-                                most, species_.parameters.terminal_threshold),
+                                max, species_.parameters.terminal_threshold),
                     "a larger 'alpha', more light or room, or a lower 'terminal_threshold'");
   }
 

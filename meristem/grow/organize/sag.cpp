@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 // Largest turn of an internode in one iteration, radians. Beyond it wood would break, and beam theory is invalid.
-constexpr double kMostTurn = 0.35;
+constexpr double kMaxTurn = 0.35;
 
 bool is_tied(const Metamers& metamers, MetamerIndex metamer) { return metamers.axes[metamers.axis[metamer]].tie != 0; }
 
@@ -60,7 +60,7 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
     const double r = radius[metamer];
     const double rigidity = sag_.stiffness * 1e9 * kPi / 4 * r * r * r * r;
     const double size = std::sqrt(squared_length(grown));
-    const double turn = std::min(size * metamers.length(metamer) / rigidity, kMostTurn);
+    const double turn = std::min(size * metamers.length(metamer) / rigidity, kMaxTurn);
     Mat3 own(1);
     if (turn > 1e-9) own = rotation(Vec3(grown / size), turn);
     const Vec3 internode = metamers.tip[metamer] - metamers.tip[parent];

@@ -58,7 +58,7 @@ class StandingTree {
   void tie(AxisIndex axis, std::uint32_t line) { metamers_.axes[axis].tie = line; }
   /// Prevents other shoots from succeeding this one.
   void deny_heir(AxisIndex axis) { metamers_.axes[axis].has_no_heir = true; }
-  /// Gives a shoot the mark with this number, below kMostMarks.
+  /// Gives a shoot the mark with this number, below kMaxMarks.
   void mark(AxisIndex axis, std::uint32_t state) { metamers_.axes[axis].marks |= 1U << state; }
   /// Reports all growth, moves and removals since the last call to the stand's space.
   void tell() { space_.take(changes_); }

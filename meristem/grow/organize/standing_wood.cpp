@@ -137,7 +137,7 @@ std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length) {
   return metamers;
 }
 
-double most_metamers_of_wood(const Skeleton& wood, double length) {
+double max_metamers_of_wood(const Skeleton& wood, double length) {
   double metamers = 0;
   for (NodeIndex node = 1; node < wood.node_count(); ++node) {
     metamers += 1 + pieces_of(internode(wood, node), length);  // plus at most one that bears it

@@ -28,7 +28,7 @@ struct WoodMetamer {
 std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length);
 
 /// Returns an upper bound for the number of metamers of a tree.
-double most_metamers_of_wood(const Skeleton& wood, double length);
+double max_metamers_of_wood(const Skeleton& wood, double length);
 
 /// Properties of existing wood, by metamer.
 class StandingWood {

@@ -71,7 +71,7 @@ void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progr
   plan_cuts_.assign(metamers_.count(), 0);
   perform(iteration, in_summer, progress);
   before.records = records_;
-  if (species_->parameters.wish.has(TracePart::outcome)) {
+  if (species_->parameters.request.has(TracePart::outcome)) {
     all.insert(all.end(), records_.begin(), records_.end());
     records_ = std::move(all);
     outcome_ = std::make_unique<State>(state());

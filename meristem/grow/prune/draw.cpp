@@ -9,9 +9,9 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMostAngle = 0.75 * kPi;  // largest total bend of a shoot
-constexpr int kSteps = 135;                // of one degree each
-constexpr int kHalvings = 12;              // bisections of the last step
+constexpr double kMaxAngle = 0.75 * kPi;  // largest total bend of a shoot
+constexpr int kSteps = 135;               // of one degree each
+constexpr int kHalvings = 12;             // bisections of the last step
 
 Vec3 end_of(std::span<const Vec3> points, Vec3 axis, double angle) {
   Vec3 end = points[0];
@@ -32,7 +32,7 @@ Draw draw_toward(std::span<const Vec3> points, Vec3 target, double gap) {
   double nearest = distance(0);
   if (nearest <= gap) return draw;
   for (int k = 1; k <= kSteps; ++k) {
-    const double angle = kMostAngle * k / kSteps;
+    const double angle = kMaxAngle * k / kSteps;
     const double away = distance(angle);
     if (away >= nearest) return draw;  // past the nearest position
     nearest = away;

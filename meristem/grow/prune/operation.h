@@ -27,7 +27,7 @@ const std::vector<std::string>& tree_variables();
 const std::vector<std::string>& shoot_variables();
 
 /// The largest number of different marks in an operation list.
-inline constexpr std::size_t kMostMarks = 32;
+inline constexpr std::size_t kMaxMarks = 32;
 
 /// When an operation acts: after all growth of these iterations, or in summer after a part of it.
 struct Schedule {
@@ -119,7 +119,7 @@ struct Support {
 /// Gives shoots a mark that other operations can test.
 struct Mark {
   double chance = 1;        ///< 0 to 1, for each shoot
-  std::uint32_t state = 0;  ///< number of the mark in the operation list, below kMostMarks
+  std::uint32_t state = 0;  ///< number of the mark in the operation list, below kMaxMarks
 };
 
 /// Removes a ring of bark: resource made above it stays above it.

@@ -437,10 +437,10 @@ TEST(Draw, BringsTheEndAsNearAsItIsAsked) {
   EXPECT_EQ(draw_toward(level, Vec3(3, 0, 0), 2.5).angle, 0) << "near enough";
   EXPECT_EQ(draw_toward(level, Vec3(9, 2, 0), 0).angle, 0) << "on its own line";
   // If the target is out of reach, no other angle brings the end nearer.
-  const Draw most = draw_toward(level, Vec3(3, -9, 0), 0);
-  const float nearest = glm::distance(end(most), Vec3(3, -9, 0));
+  const Draw max = draw_toward(level, Vec3(3, -9, 0), 0);
+  const float nearest = glm::distance(end(max), Vec3(3, -9, 0));
   for (const double turn : {-0.1, 0.1}) {
-    EXPECT_LE(nearest, glm::distance(end({most.axis, most.angle + turn}), Vec3(3, -9, 0)));
+    EXPECT_LE(nearest, glm::distance(end({max.axis, max.angle + turn}), Vec3(3, -9, 0)));
   }
 }
 

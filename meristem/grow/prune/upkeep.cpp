@@ -9,12 +9,12 @@
 namespace meristem {
 
 Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots) {
-  const auto most = static_cast<std::size_t>(what.metamers);
+  const auto max = static_cast<std::size_t>(what.metamers);
   Work work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
     for (std::size_t k = 0; k < shoot.path.size(); ++k) {
-      if (k == most) {
+      if (k == max) {
         work.gone.push_back(shoot.path[k]);
         break;
       }
@@ -30,11 +30,11 @@ Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& sho
 }
 
 Work limit(const Limit& what, const std::vector<Shoot>& shoots) {
-  const auto most = static_cast<std::size_t>(what.metamers);
+  const auto max = static_cast<std::size_t>(what.metamers);
   Work work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
-    if (shoot.path.size() > most && (most > 0 || shoot.axis != 0)) work.gone.push_back(shoot.path[most]);
+    if (shoot.path.size() > max && (max > 0 || shoot.axis != 0)) work.gone.push_back(shoot.path[max]);
   }
   return work;
 }

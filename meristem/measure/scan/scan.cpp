@@ -35,7 +35,7 @@ namespace {
 
 constexpr std::size_t kPulsesPerBlock = 1024;
 constexpr std::size_t kBlocksAtOnce = 128;
-constexpr std::size_t kMostReturns = 15;  // maximum number of returns that file formats can count
+constexpr std::size_t kMaxReturns = 15;  // maximum number of returns that file formats can count
 
 /// The hit of one ray of a pulse.
 struct Echo {
@@ -86,9 +86,9 @@ Layout layout_of(const MeshScene& meshes, const ScanOptions& options) {
       options.instrument,
       options.stations.empty() ? stations_around(plants, options.around, options.instrument) : options.stations,
       options.target.value_or(plants.is_empty() ? Vec3(0) : plants.centre()), plants);
-  if (pattern.pulse_count() > kMostPulses) {
+  if (pattern.pulse_count() > kMaxPulses) {
     throw InputError(Diagnostic{.message = fmt::format("{} pulses are too many", pattern.pulse_count()),
-                                .expected = fmt::format("at most {}: a larger step, or fewer stations", kMostPulses),
+                                .expected = fmt::format("at most {}: a larger step, or fewer stations", kMaxPulses),
                                 .path = "instrument.step"});
   }
   return {box, std::move(pattern)};
@@ -238,10 +238,10 @@ struct Scanner::Parts {
     // Cut the echoes where they are farther apart than the instrument's resolution, and keep returns that are strong
     // enough.
     const Instrument& instrument = options.instrument;
-    std::array<Return, kMostReturns> returns;
+    std::array<Return, kMaxReturns> returns;
     std::size_t count = 0;
-    const std::size_t most = std::min(kMostReturns, static_cast<std::size_t>(instrument.returns));
-    for (std::size_t begin = 0, end = 0; begin < echoes.size() && count < most; begin = end) {
+    const std::size_t max = std::min(kMaxReturns, static_cast<std::size_t>(instrument.returns));
+    for (std::size_t begin = 0, end = 0; begin < echoes.size() && count < max; begin = end) {
       while (end < echoes.size() && echoes[end].distance - echoes[begin].distance <= instrument.resolution) ++end;
       const double share = static_cast<double>(end - begin) / static_cast<double>(offsets.size());
       if (share + 1e-9 < instrument.threshold) continue;
@@ -250,7 +250,7 @@ struct Scanner::Parts {
     for (std::size_t k = 0; k < count; ++k) {
       const Return& found = returns[k];
       const double deviation = instrument.noise + instrument.noise_growth * found.range * found.range;
-      const double noise = deviation > 0 ? deviation * noise_key.normal(number * kMostReturns + k) : 0;
+      const double noise = deviation > 0 ? deviation * noise_key.normal(number * kMaxReturns + k) : 0;
       const double range = std::max(0.0, found.range + noise);
       points.push_back({.position = Vec3(pulse.origin + range * pulse.direction),
                         .range = static_cast<float>(range),
@@ -320,12 +320,12 @@ std::vector<std::uint32_t> ShootsSeen::numbers() const {
   return numbers;
 }
 
-Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t most_points) {
+Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t max_points) {
   Scan made{.components = scanner.labels().components(), .stations = scanner.stations()};
   ShootsSeen seen(scanner.labels().shoot_count());
   const auto take = [&](std::span<const ScanPoint> points) {
-    if (made.points.size() + points.size() > most_points) {
-      throw InputError(Diagnostic{.message = fmt::format("the scan has more than {} points", most_points),
+    if (made.points.size() + points.size() > max_points) {
+      throw InputError(Diagnostic{.message = fmt::format("the scan has more than {} points", max_points),
                                   .expected = "a larger step, fewer stations, or a file, which holds any number",
                                   .path = "instrument.step"});
     }
@@ -339,8 +339,8 @@ Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t most_po
 }
 
 Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
-          Progress& progress, std::uint64_t most_points) {
-  return take_scan(Scanner(plant, limits, meshes, options, progress), progress, most_points);
+          Progress& progress, std::uint64_t max_points) {
+  return take_scan(Scanner(plant, limits, meshes, options, progress), progress, max_points);
 }
 
 }  // namespace meristem

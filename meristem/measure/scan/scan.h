@@ -47,7 +47,7 @@ struct ScanOptions {
 };
 
 /// Maximum number of pulses of one scan.
-inline constexpr std::uint64_t kMostPulses = 4'000'000'000;
+inline constexpr std::uint64_t kMaxPulses = 4'000'000'000;
 
 /// A prepared scan.
 class Scanner {
@@ -91,12 +91,12 @@ struct Scan {
   std::vector<Vec3> stations{};             ///< positions of the scanner, metres
 };
 
-/// Returns all points of a scan. Throws like Scanner, and InputError for more than `most_points`.
-Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t most_points = 200'000'000);
+/// Returns all points of a scan. Throws like Scanner, and InputError for more than `max_points`.
+Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t max_points = 200'000'000);
 
 /// Prepares and takes a scan.
 Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
-          Progress& progress, std::uint64_t most_points = 200'000'000);
+          Progress& progress, std::uint64_t max_points = 200'000'000);
 
 /// Records which shoots have points.
 class ShootsSeen {

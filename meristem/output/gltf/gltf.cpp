@@ -29,12 +29,12 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
 
 void check_size(std::uint64_t bytes) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (bytes <= kMost) return;
-  Diagnostic fault;
-  fault.message = fmt::format("the plant needs {:.1f} GB as one binary glTF", static_cast<double>(bytes) * 1e-9);
-  fault.expected = "at most 4.2 GB, the format's limit: fewer organs, or surfaces with fewer triangles";
-  throw InputError(std::move(fault));
+  constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
+  if (bytes <= kMax) return;
+  Diagnostic error;
+  error.message = fmt::format("the plant needs {:.1f} GB as one binary glTF", static_cast<double>(bytes) * 1e-9);
+  error.expected = "at most 4.2 GB, the format's limit: fewer organs, or surfaces with fewer triangles";
+  throw InputError(std::move(error));
 }
 
 void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {

@@ -77,7 +77,7 @@ class LayoutBuilder {
       }
     }
     const auto count = static_cast<std::size_t>(std::ranges::count(is_seen, 1));
-    if (count < 2 || count > (bakes_all_ ? kMostGltfPlants : kMostInstancedGltfPlants)) return;
+    if (count < 2 || count > (bakes_all_ ? kMaxGltfPlants : kMaxInstancedGltfPlants)) return;
     for (std::size_t k = 0; k < is_seen.size(); ++k) {
       if (is_seen[k] == 0) continue;
       const Individual& individual = scene_.individuals[k];

@@ -199,10 +199,10 @@ struct GltfLayout {
 };
 
 /// Maximum number of plants with nodes of their own. Each plant takes several arrays, which readers keep separate.
-inline constexpr std::size_t kMostGltfPlants = 1000;
+inline constexpr std::size_t kMaxGltfPlants = 1000;
 /// Maximum number of plants with nodes of their own if leaves are instances. Each plant then repeats a node and its
 /// accessors per shared mesh, some 10 kB.
-inline constexpr std::size_t kMostInstancedGltfPlants = 100;
+inline constexpr std::size_t kMaxInstancedGltfPlants = 100;
 
 /// Lays out everything except the bounds, and encodes the pictures. The whole scene is baked if it has at most
 /// `flatten_triangles` triangles and instances need not be rows. Otherwise only meshes with a single instance are

@@ -53,8 +53,8 @@ class Parting {
     groups_.push_back({0, colours.size(), moments_of(0, colours.size())});
   }
 
-  Palette part(std::size_t most) {
-    while (groups_.size() < most) {
+  Palette part(std::size_t max) {
+    while (groups_.size() < max) {
       const auto worst = std::max_element(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
         return a.moments.error() < b.moments.error();
       });
@@ -119,9 +119,9 @@ class Parting {
 
 }  // namespace
 
-Palette make_palette(std::span<const Vec3> colours, std::size_t most) {
-  if (most < 1 || most > 256) throw std::invalid_argument("a palette must have 1 to 256 colours");
-  return colours.empty() ? Palette{} : Parting(colours).part(most);
+Palette make_palette(std::span<const Vec3> colours, std::size_t max) {
+  if (max < 1 || max > 256) throw std::invalid_argument("a palette must have 1 to 256 colours");
+  return colours.empty() ? Palette{} : Parting(colours).part(max);
 }
 
 }  // namespace meristem

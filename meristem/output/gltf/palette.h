@@ -15,8 +15,8 @@ struct Palette {
   std::vector<std::uint8_t> of;  ///< for each given colour, an index into `colours`
 };
 
-/// Returns at most `most` colours (1 to 256) that approximate `colours`. The result is exact if there are no more than
-/// `most` different colours.
-Palette make_palette(std::span<const Vec3> colours, std::size_t most);
+/// Returns at most `max` colours (1 to 256) that approximate `colours`. The result is exact if there are no more than
+/// `max` different colours.
+Palette make_palette(std::span<const Vec3> colours, std::size_t max);
 
 }  // namespace meristem

@@ -56,9 +56,9 @@ TEST(Palette, EachColourIsTheMeanOfThoseItStandsFor) {
 TEST(Palette, MoreColoursLeaveLessError) {
   const std::vector<Vec3> colours = random_colours(2000);
   double before = error_of(colours, make_palette(colours, 1));
-  for (const std::size_t most : {2, 4, 8, 16}) {
-    const double error = error_of(colours, make_palette(colours, most));
-    EXPECT_LT(error, 0.9 * before) << most;
+  for (const std::size_t max : {2, 4, 8, 16}) {
+    const double error = error_of(colours, make_palette(colours, max));
+    EXPECT_LT(error, 0.9 * before) << max;
     before = error;
   }
 }

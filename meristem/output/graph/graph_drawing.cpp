@@ -17,7 +17,7 @@ namespace {
 constexpr double kLetter = 6.9;       // width of a letter of the names, pixels
 constexpr double kSmallLetter = 4.6;  // width of a letter below the line, pixels
 constexpr double kPadding = 18;       // space on both sides of a name in its box, together, pixels
-constexpr double kLeastWidth = 34;
+constexpr double kMinWidth = 34;
 constexpr double kHeight = 26;
 constexpr double kHeightWithType = 38;
 constexpr double kGap = 16;    // space between boxes, pixels
@@ -61,7 +61,7 @@ std::string escaped(const std::string& text) {
 double width_of(const DrawnNode& node) {
   const double name =
       kLetter * static_cast<double>(node.name.size()) + kSmallLetter * static_cast<double>(node.below.size());
-  return std::max({kLeastWidth, name + kPadding, 0.86 * kLetter * static_cast<double>(node.type.size()) + kPadding});
+  return std::max({kMinWidth, name + kPadding, 0.86 * kLetter * static_cast<double>(node.type.size()) + kPadding});
 }
 
 /// Returns the style of a link as attributes of its line.
@@ -105,7 +105,7 @@ std::string node_text(const DrawnNode& node, double x, double y, double width, d
 
 std::string svg_of(const Drawing& drawing, const std::string& title) {
   std::vector<std::uint32_t> parents;
-  double width = kLeastWidth;
+  double width = kMinWidth;
   bool has_types = false;
   for (const DrawnNode& node : drawing.nodes) {
     parents.push_back(node.parent);

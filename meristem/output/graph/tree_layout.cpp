@@ -27,11 +27,11 @@ struct Outline {
 /// Returns the minimum distance of the root of `next` from the origin of `so_far`.
 double distance(const Outline& so_far, const Outline& next, bool are_leaves) {
   const std::size_t shared = std::min(so_far.depth(), next.depth());
-  double least = 0;
+  double min = 0;
   for (std::size_t level = 0; level < shared; ++level) {
-    least = std::max(least, so_far.right_at(level) - next.left_at(level) + 1);
+    min = std::max(min, so_far.right_at(level) - next.left_at(level) + 1);
   }
-  return least + (are_leaves ? 0 : kBetweenCousins);
+  return min + (are_leaves ? 0 : kBetweenCousins);
 }
 
 /// Returns the outline of both. The deeper outline is kept, and the other one is written over it.
@@ -93,13 +93,13 @@ TreePlaces place_tree(std::span<const std::uint32_t> parents) {
   place_children(children[count]);
   // From the roots down: compute absolute positions, the leftmost at 0.
   places.across.resize(count);
-  double least = 0;
+  double min = 0;
   for (std::size_t node = 0; node < count; ++node) {
     const double above = parents[node] == kNoParent ? 0 : places.across[parents[node]];
     places.across[node] = above + relative[node];
-    least = node == 0 ? places.across[node] : std::min(least, places.across[node]);
+    min = node == 0 ? places.across[node] : std::min(min, places.across[node]);
   }
-  for (double& across : places.across) places.breadth = std::max(places.breadth, across -= least);
+  for (double& across : places.across) places.breadth = std::max(places.breadth, across -= min);
   return places;
 }
 

@@ -26,9 +26,9 @@ TEST(TreeLayout, NoTwoNodesOfALevelAreNearerThanNeighboursAndOrdersHold) {
       parents.push_back(chance() % 12 == 0 ? kNoParent : static_cast<std::uint32_t>(chance() % node));
     }
     const TreePlaces places = place_tree(parents);
-    double least = 1e9;
+    double min = 1e9;
     for (std::uint32_t a = 0; a < parents.size(); ++a) {
-      least = std::min(least, places.across[a]);
+      min = std::min(min, places.across[a]);
       EXPECT_LE(places.across[a], places.breadth);
       for (std::uint32_t b = a + 1; b < parents.size(); ++b) {
         if (places.level[a] != places.level[b]) continue;
@@ -38,7 +38,7 @@ TEST(TreeLayout, NoTwoNodesOfALevelAreNearerThanNeighboursAndOrdersHold) {
         }
       }
     }
-    EXPECT_NEAR(least, 0, 1e-12);
+    EXPECT_NEAR(min, 0, 1e-12);
   }
 }
 

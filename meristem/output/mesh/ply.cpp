@@ -29,12 +29,12 @@ namespace meristem {
 namespace {
 
 void check_count(std::string_view what, std::uint64_t count) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
-  if (count <= kMost) return;
-  Diagnostic fault;
-  fault.message = fmt::format("the plant has {} {}", count, what);
-  fault.expected = fmt::format("at most {}, the format's limit: fewer organs, or surfaces with fewer triangles", kMost);
-  throw InputError(std::move(fault));
+  constexpr std::uint64_t kMax = std::numeric_limits<std::int32_t>::max();
+  if (count <= kMax) return;
+  Diagnostic error;
+  error.message = fmt::format("the plant has {} {}", count, what);
+  error.expected = fmt::format("at most {}, the format's limit: fewer organs, or surfaces with fewer triangles", kMax);
+  throw InputError(std::move(error));
 }
 
 /// Returns the first lines of a header.
@@ -100,7 +100,7 @@ class MeshPly {
           out += tail;
         }
       };
-      write_for_frames(writer_, instances.count(), instances.mesh->vertex_count(), kMostVertexBytes, fill);
+      write_for_frames(writer_, instances.count(), instances.mesh->vertex_count(), kMaxVertexBytes, fill);
     }
   }
 
@@ -134,7 +134,7 @@ class MeshPly {
   }
 
  private:
-  static constexpr std::size_t kMostVertexBytes = 8 * 4 + 3 + 4;
+  static constexpr std::size_t kMaxVertexBytes = 8 * 4 + 3 + 4;
   static constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 3 + 4 * 4;
   static constexpr std::size_t kLongestLabelText = 255;
 

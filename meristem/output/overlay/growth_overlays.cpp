@@ -28,8 +28,8 @@ constexpr Vec3 kRoom{0.18F, 0.62F, 0.3F};
 constexpr Vec3 kShed{0.62F, 0.4F, 0.16F};
 constexpr Vec3 kCut{0.82F, 0.16F, 0.12F};
 
-constexpr std::size_t kMostWays = 90;  // maximum number of arrows; more would not be distinguishable
-constexpr double kWayShare = 0.06;     // length of an arrow, as a share of the plant's longest side
+constexpr std::size_t kMaxWays = 90;  // maximum number of arrows; more would not be distinguishable
+constexpr double kWayShare = 0.06;    // length of an arrow, as a share of the plant's longest side
 
 void show_places(const std::vector<TracedPlace>& places, const std::array<Vec3, 3>& colours,
                  const std::array<const char*, 3>& texts, const char* what, OverlayLayer& layer) {
@@ -50,7 +50,7 @@ std::vector<TracedWay> ways_past_obstacles(const OverlaySubject& subject, double
   std::vector<TracedWay> ways;
   std::size_t nodes = 0;
   for (const Stem& stem : subject.plant.stems) nodes += has_buds(stem.skeleton) ? 0 : stem.skeleton.node_count();
-  const std::size_t every = 1 + nodes / kMostWays;
+  const std::size_t every = 1 + nodes / kMaxWays;
   std::size_t next = every / 2;  // index among all nodes of all these stems
   for (const Stem& stem : subject.plant.stems) {
     if (has_buds(stem.skeleton)) continue;
@@ -69,7 +69,7 @@ std::vector<TracedWay> ways_past_obstacles(const OverlaySubject& subject, double
 
 /// Adds some of the ways of buds, scaled to the length of arrows.
 void add_bud_ways(const std::vector<TracedWay>& ways, double length, Vec3 colour, OverlayLayer& layer) {
-  const std::size_t every = 1 + ways.size() / kMostWays;
+  const std::size_t every = 1 + ways.size() / kMaxWays;
   for (std::size_t k = 0; k < ways.size(); k += every) {
     const Vec3 from = ways[k].from;
     layer.arrows.push_back({from, from + static_cast<float>(length) * (ways[k].to - from), colour});

@@ -124,15 +124,15 @@ std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::
   return parts;
 }
 
-TraceWish wish_for_overlays(std::span<const OverlayPart> parts) {
-  TraceWish wish;
-  for (const OverlayPart part : parts) wish = wish | overlay_part(part).wish;
-  return wish;
+TraceRequest request_for_overlays(std::span<const OverlayPart> parts) {
+  TraceRequest request;
+  for (const OverlayPart part : parts) request = request | overlay_part(part).request;
+  return request;
 }
 
 std::vector<OverlayLayer> overlay_layers(const OverlaySource& source, std::span<const OverlayPart> parts,
                                          const Progress& progress) {
-  const StepMarks marks = source.traces.marks(source.traces.shown_step(), wish_for_overlays(parts), progress);
+  const StepMarks marks = source.traces.marks(source.traces.shown_step(), request_for_overlays(parts), progress);
   Box bounds = source.bounds;
   for (const TracedPlace& point : marks.points) bounds.add(point.position);
   const auto reads_plant = [](OverlayPart part) { return overlay_part(part).reads_plant; };

@@ -47,7 +47,7 @@ struct OverlayPartInfo {
   const char* name;                                                  ///< name for options and plans: "points"
   const char* title;                                                 ///< title for a switch: "Attraction points"
   const char* doc;                                                   ///< one sentence
-  TraceWish wish;                                                    ///< parts of growth that must be recorded
+  TraceRequest request;                                              ///< parts of growth that must be recorded
   void (*show)(const OverlaySubject& subject, OverlayLayer& layer);  ///< fills a layer with the part
   bool reads_plant = false;  ///< true if the part shows data of each stem, also in placed plants
 };
@@ -63,7 +63,7 @@ OverlayPart overlay_part_named(std::string_view name, const std::string& who);
 /// name.
 std::vector<OverlayPart> overlay_parts_named(std::string_view names, const std::string& option);
 /// Returns the parts of growth that must be recorded for all these overlays.
-TraceWish wish_for_overlays(std::span<const OverlayPart> parts);
+TraceRequest request_for_overlays(std::span<const OverlayPart> parts);
 
 /// A point of an overlay.
 struct OverlayPoint {
@@ -103,7 +103,7 @@ struct OverlayLayer {
 /// The data from which overlays are made.
 struct OverlaySource {
   const Plant& plant;          ///< the plant that is shown
-  const GrowthTraces& traces;  ///< recorded with wish_for_overlays() or more
+  const GrowthTraces& traces;  ///< recorded with request_for_overlays() or more
   const Scene& scene;          ///< light and obstacles around the plant
   const Limits& limits;        ///< limits of the document of the plant
   Box bounds;                  ///< box around all visible parts of the plant

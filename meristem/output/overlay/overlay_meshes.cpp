@@ -18,8 +18,8 @@ constexpr double kBall = 0.012;  // diameter of a ball
 constexpr double kNode = 0.008;  // diameter of a ball at a point where lines join
 constexpr double kRod = 0.003;
 constexpr double kShaft = 0.004;
-constexpr double kHead = 0.25;      // length of an arrow's head, as a share of the arrow
-constexpr double kMostHead = 0.03;  // maximum length of a head, as a share of the size
+constexpr double kHead = 0.25;     // length of an arrow's head, as a share of the arrow
+constexpr double kMaxHead = 0.03;  // maximum length of a head, as a share of the size
 constexpr int kRodCorners = 6;
 constexpr int kBallSegments = 10;
 
@@ -71,7 +71,7 @@ MeshScene with_overlays(const MeshScene& meshes, std::span<const OverlayLayer> l
     for (const OverlayLine& line : layer.lines) rods.span(line.from, line.to, 0.5 * kRod * size, line.colour);
     for (const OverlayLine& arrow : layer.arrows) {
       const float length = glm::distance(arrow.from, arrow.to);
-      const double head = std::min(kHead * static_cast<double>(length), kMostHead * size);
+      const double head = std::min(kHead * static_cast<double>(length), kMaxHead * size);
       const Vec3 neck = arrow.to - static_cast<float>(head / static_cast<double>(length)) * (arrow.to - arrow.from);
       rods.span(arrow.from, neck, 0.5 * kShaft * size, arrow.colour);
       heads.span(neck, arrow.to, 0.4 * head, arrow.colour);

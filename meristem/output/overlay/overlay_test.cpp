@@ -47,8 +47,8 @@ Shown show(const char* text, const std::string& names, std::optional<int> step =
   const Document document = read_document(text, "test.json", builtin_components(), {});
   const std::vector<OverlayPart> parts = overlay_parts_named(names, "--show");
   Progress progress;
-  Shown shown{grow_document(document, progress, {.up_to = GrownPart::meshes, .view = {step, wish_for_overlays(parts)}}),
-              {}};
+  Shown shown{
+      grow_document(document, progress, {.up_to = GrownPart::meshes, .view = {step, request_for_overlays(parts)}}), {}};
   const OverlaySource source{shown.grown.plant, shown.grown.traces, document.scene, document.graph.limits,
                              shown.grown.meshes.bounds()};
   shown.layers = overlay_layers(source, parts, progress);

@@ -36,9 +36,9 @@ Vec3 shade_of(double share) {
   return u < 0.5F ? glm::mix(kDark, kMiddle, 2 * u) : glm::mix(kMiddle, kBright, 2 * u - 1);
 }
 
-void add_ramp(OverlayLayer& layer, double most, const char* what) {
+void add_ramp(OverlayLayer& layer, double max, const char* what) {
   for (const double share : {0.0, 0.5, 1.0}) {
-    layer.legend.push_back({shade_of(share), fmt::format("{} {:.3g}", what, share * most)});
+    layer.legend.push_back({shade_of(share), fmt::format("{} {:.3g}", what, share * max)});
   }
 }
 
@@ -128,23 +128,23 @@ void show_light(const OverlaySubject& subject, OverlayLayer& layer) {
       read_scene(stem.skeleton, subject, readings);
     }
   }
-  double most = 0;
-  for (const Reading& reading : readings) most = std::max(most, reading.value);
-  if (!(most > 0)) most = 1;
-  for (const Reading& reading : readings) layer.points.push_back({reading.position, shade_of(reading.value / most)});
-  if (!readings.empty()) add_ramp(layer, most, are_buds ? "light of a bud" : "light");
+  double max = 0;
+  for (const Reading& reading : readings) max = std::max(max, reading.value);
+  if (!(max > 0)) max = 1;
+  for (const Reading& reading : readings) layer.points.push_back({reading.position, shade_of(reading.value / max)});
+  if (!readings.empty()) add_ramp(layer, max, are_buds ? "light of a bud" : "light");
 }
 
 void show_resource(const OverlaySubject& subject, OverlayLayer& layer) {
-  double most = 0;
+  double max = 0;
   for (const Stem& stem : subject.plant.stems) {
     const auto found = stem.skeleton.extra.find(kResource);
     if (found == stem.skeleton.extra.end()) continue;
-    for (const float value : found->second) most = std::max(most, static_cast<double>(value));
+    for (const float value : found->second) max = std::max(max, static_cast<double>(value));
   }
-  if (!(most > 0)) return;
+  if (!(max > 0)) return;
   // Resource falls toward the tips by powers, so the colour shows its logarithm.
-  const double scale = std::log1p(most);
+  const double scale = std::log1p(max);
   for (const Stem& stem : subject.plant.stems) {
     const auto found = stem.skeleton.extra.find(kResource);
     if (found == stem.skeleton.extra.end()) continue;
@@ -179,23 +179,23 @@ void show_supports(const OverlaySubject& subject, OverlayLayer& layer) {
 void show_box(const OverlaySubject& subject, OverlayLayer& layer) {
   const std::vector<BodyCells> bodies = find_body_cells(subject.plant, subject.progress);
   if (bodies.empty()) return;
-  double least = bodies[0].cell;
-  double most = least;
+  double min = bodies[0].cell;
+  double max = min;
   for (const BodyCells& body : bodies) {
     add_box(body.box, kBox, layer);
     Box corner;
     corner.add(body.box.low);
     corner.add(body.box.low + Vec3(static_cast<float>(body.cell)));
     add_box(corner, kBox, layer);
-    least = std::min(least, body.cell);
-    most = std::max(most, body.cell);
+    min = std::min(min, body.cell);
+    max = std::max(max, body.cell);
   }
   const Vec3 size = bodies[0].box.size();
   const std::string boxes = bodies.size() == 1
                                 ? fmt::format("box of {:.3g} x {:.3g} x {:.3g} m", size.x, size.y, size.z)
                                 : fmt::format("{} boxes", bodies.size());
-  const std::string cells = fmt::format("cells of {:.3g}", 1000 * least);
-  const std::string up_to = most > least ? fmt::format(" to {:.3g}", 1000 * most) : "";
+  const std::string cells = fmt::format("cells of {:.3g}", 1000 * min);
+  const std::string up_to = max > min ? fmt::format(" to {:.3g}", 1000 * max) : "";
   layer.legend.push_back({kBox, fmt::format("{}, {}{} mm", boxes, cells, up_to)});
 }
 

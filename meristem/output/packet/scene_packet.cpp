@@ -39,13 +39,13 @@ std::uint64_t picture_key(const Image& image, PixelKind kind) {
   return Fingerprint().add(image.width).add(image.height).add(kind).add_array(image.rgba).hash();
 }
 
-std::uint64_t lines_key(const Skeleton& skeleton, float least_radius) {
+std::uint64_t lines_key(const Skeleton& skeleton, float min_radius) {
   return Fingerprint()
       .add_array(skeleton.parent)
       .add_array(skeleton.position)
       .add_array(skeleton.radius)
       .add_array(skeleton.order)
-      .add(least_radius)
+      .add(min_radius)
       .hash();
 }
 
@@ -128,16 +128,16 @@ class PacketMaker::Builder {
     scene_ = Value::Object{{"sun", vector_value(sun)}, {"lamps", std::move(lamps)}, {"supports", std::move(supports)}};
   }
 
-  void add_skeletons(const Plant& plant, std::size_t most_segments) {
+  void add_skeletons(const Plant& plant, std::size_t max_segments) {
     std::vector<const Skeleton*> skeletons;
     for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
-    const float least = most_segments == 0 ? 0 : least_drawn_radius(skeletons, most_segments);
+    const float min = max_segments == 0 ? 0 : min_drawn_radius(skeletons, max_segments);
     for (const Skeleton* skeleton : skeletons) {
-      const std::uint64_t key = lines_key(*skeleton, least);
+      const std::uint64_t key = lines_key(*skeleton, min);
       now_.lines.push_back(key);
       if (!now_.held.skeletons.insert(key).second || before_.held.skeletons.contains(key)) continue;
       progress_.check();
-      const SkeletonLines lines = skeleton_lines(*skeleton, least);
+      const SkeletonLines lines = skeleton_lines(*skeleton, min);
       require_finite_values(std::span<const float>(lines.radii));
       lists_.skeletons.push_back(Value::Object{{"key", key_value(key)},
                                                {"positions", arrays_.add(packed_vectors(lines.positions))},
@@ -319,7 +319,7 @@ class PacketMaker::Builder {
 std::string PacketMaker::next(const PacketScene& scene, const PacketFacts& facts, const Progress& progress) {
   Builder builder(shown_, progress);
   if (scene.meshes != nullptr) builder.add_meshes(*scene.meshes, key_maker_.keys_of(*scene.meshes));
-  if (scene.skeletons != nullptr) builder.add_skeletons(*scene.skeletons, scene.most_segments);
+  if (scene.skeletons != nullptr) builder.add_skeletons(*scene.skeletons, scene.max_segments);
   if (scene.obstacles != nullptr) builder.add_obstacles(*scene.obstacles, key_maker_.keys_of(*scene.obstacles));
   if (scene.scene != nullptr) builder.add_scene(*scene.scene);
   if (facts.is_draft) builder.keep(rest_);

@@ -40,7 +40,7 @@ struct PacketFacts {
 struct PacketScene {
   const MeshScene* meshes = nullptr;  ///< textures must be painted; may be null
   const Plant* skeletons = nullptr;   ///< plant whose stems are drawn as lines; may be null
-  std::size_t most_segments = 0;      ///< maximum number of drawn segments of all skeletons, the thickest first; 0: all
+  std::size_t max_segments = 0;       ///< maximum number of drawn segments of all skeletons, the thickest first; 0: all
   /// Bodies around the plants, as obstacle_meshes() returns them; may be null. They do not count toward the shown
   /// triangles, and the bounds include them only if there are no plants.
   const MeshScene* obstacles = nullptr;

@@ -143,8 +143,8 @@ TEST(ScenePacket, LeavesTheViewersSceneWhereItIsCancelled) {
 TEST(ScenePacket, DrawsTheThickestOfTooManySegments) {
   const Plant plant = two_stems();
   PacketMaker maker;
-  const auto segments = [&](std::size_t most) {
-    const std::string bytes = maker.next({.skeletons = &plant, .most_segments = most}, {}, Progress());
+  const auto segments = [&](std::size_t max) {
+    const std::string bytes = maker.next({.skeletons = &plant, .max_segments = max}, {}, Progress());
     const ReadPacket packet(bytes);
     std::size_t count = 0;
     for (const Value& part : *packet.head.find("skeletons")->list()) {

@@ -18,10 +18,10 @@ struct SkeletonLines {
 };
 
 /// Returns the nodes that are at least this thick and whose ancestors all are as well.
-SkeletonLines skeleton_lines(const Skeleton& skeleton, float least_radius);
+SkeletonLines skeleton_lines(const Skeleton& skeleton, float min_radius);
 
-/// Returns a radius. At most about `most_nodes` nodes of the skeletons together are at least this thick. Returns 0 if
+/// Returns a radius. At most about `max_nodes` nodes of the skeletons together are at least this thick. Returns 0 if
 /// all nodes may be drawn.
-float least_drawn_radius(const std::vector<const Skeleton*>& skeletons, std::size_t most_nodes);
+float min_drawn_radius(const std::vector<const Skeleton*>& skeletons, std::size_t max_nodes);
 
 }  // namespace meristem

@@ -210,7 +210,7 @@ std::vector<Pixel> draw_view(const Skin& skin, const Card& card, float reach, in
 }
 
 /// Returns the minimum covered share of a visible pixel. With it, the number of visible pixels equals the covered area.
-float least_covered(const std::vector<Pixel>& pixels) {
+float min_covered(const std::vector<Pixel>& pixels) {
   std::vector<float> shares;
   double sum = 0;
   for (const Pixel& pixel : pixels) {
@@ -284,16 +284,15 @@ class Atlas {
   }
 
   void place(const Card& card, const std::vector<Pixel>& view) {
-    const float least = least_covered(view);
+    const float min = min_covered(view);
     for (int y = 0; y < card.rows; ++y) {
       for (int x = 0; x < card.columns; ++x) {
         Pixel pixel = view[static_cast<std::size_t>(y * card.columns + x)];
         // The mask is cut at one half.
         const float share = pixel.covered;
-        pixel.covered =
-            share < least ? 0.5F * share / least : 0.5F + 0.5F * (share - least) / std::max(1 - least, 1e-6F);
-        if (share >= least) pixel.covered = std::max(pixel.covered, 0.51F);
-        if (share < least) pixel.covered = std::min(pixel.covered, 0.49F);
+        pixel.covered = share < min ? 0.5F * share / min : 0.5F + 0.5F * (share - min) / std::max(1 - min, 1e-6F);
+        if (share >= min) pixel.covered = std::max(pixel.covered, 0.51F);
+        if (share < min) pixel.covered = std::min(pixel.covered, 0.49F);
         pixels_[static_cast<std::size_t>((y + kGutter) * columns_ + card.left + x)] = pixel;
       }
     }
@@ -358,7 +357,7 @@ Mesh mesh_of(const std::vector<Card>& cards, const Atlas& atlas) {
 }  // namespace
 
 MeshScene make_cards(const MeshScene& whole, const CardOptions& options, Progress& progress) {
-  if (options.cards < 1 || options.cards > kMostCards || options.size < 8 || options.size > 8192 ||
+  if (options.cards < 1 || options.cards > kMaxCards || options.size < 8 || options.size > 8192 ||
       options.samples < 1 || options.samples > 64) {
     throw std::invalid_argument("cards out of range");
   }

@@ -9,9 +9,9 @@ namespace meristem {
 
 /// Number and resolution of cards.
 struct CardOptions {
-  int cards = 3;  ///< number of upright cards, 1 to kMostCards, turned evenly about the plant's foot; more look rounder
-                  ///< from all sides
-  int size = 256;   ///< pixels along the plant's longest side; more are finer, and file sizes grow with the square
+  int cards = 3;   ///< number of upright cards, 1 to kMaxCards, turned evenly about the plant's foot; more look rounder
+                   ///< from all sides
+  int size = 256;  ///< pixels along the plant's longest side; more are finer, and file sizes grow with the square
   int samples = 4;  ///< rays per pixel along each side; more sample edges and thin leaves more evenly
 };
 

@@ -79,7 +79,7 @@ TEST(Cards, OfNothingAreNone) { EXPECT_TRUE(cards_of({}).meshes.empty()); }
 
 TEST(Cards, RejectOptionsOutOfRange) {
   EXPECT_THROW(cards_of(ball(), 0), std::invalid_argument);
-  EXPECT_THROW(cards_of(ball(), kMostCards + 1), std::invalid_argument);
+  EXPECT_THROW(cards_of(ball(), kMaxCards + 1), std::invalid_argument);
 }
 
 }  // namespace meristem::cards_test

@@ -17,7 +17,7 @@ namespace {
 constexpr float kSharpness = 0.6F;  // width of texture averages relative to a pixel; samples smooth the rest
 constexpr int kNeighbours = 2;      // number of deciding squares to each side
 constexpr int kFirstRound = 8;      // divisor: the first round takes this part of the samples
-constexpr int kLeastSamples = 4;
+constexpr int kMinSamples = 4;
 // The accepted noise after 16 of 64 samples, as a variance of the displayed brightness from 0 to 1. After 32 samples,
 // twice as much is accepted, because each further sample removes half as much. After 8 samples, half as much is
 // accepted among leaves, so that crowns do not stop after a few samples while the shade beside them takes all. Grain is
@@ -25,7 +25,7 @@ constexpr int kLeastSamples = 4;
 constexpr float kUsualSamples = 16;
 constexpr float kNoiseOfPlain = 0.0115F * 0.0115F;
 constexpr float kNoiseByContrast = 0.11F;  // accepted noise as a share of the variance among squares
-constexpr float kMostNoise = 0.042F * 0.042F;
+constexpr float kMaxNoise = 0.042F * 0.042F;
 // Share of the noise of indirect light that remains after gathering.
 constexpr float kNoiseAfterGathering = 0.4F;
 
@@ -167,7 +167,7 @@ bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
           std::max(0.0F, squared_brightness.value() - brightness.value() * brightness.value() - noise.value());
       const float taken = scale * static_cast<float>(square.samples) / kUsualSamples;
       const float borne_here = (kNoiseOfPlain + kNoiseByContrast * contrast) * std::max(1.0F, taken);
-      const float bearable = std::min(borne_here, kMostNoise * taken);
+      const float bearable = std::min(borne_here, kMaxNoise * taken);
       square.goes_on = noise.value() > scale * bearable;
       any_goes_on = any_goes_on || square.goes_on;
     }
@@ -183,9 +183,9 @@ Exposure Photographer::expose(const Tile& tile, Progress& progress) const {
 
   // Take the samples in rounds. Powers of 2 are spread evenly. The first round is taken in halves, and each later round
   // is the second half of all samples.
-  const int most = settings_.samples;
-  const int share = static_cast<int>(std::bit_floor(static_cast<unsigned>(most / kFirstRound)));
-  int end = settings_.is_even ? most : std::min(most, std::max(kLeastSamples, share));
+  const int max = settings_.samples;
+  const int share = static_cast<int>(std::bit_floor(static_cast<unsigned>(max / kFirstRound)));
+  int end = settings_.is_even ? max : std::min(max, std::max(kMinSamples, share));
   int begin = end / 2;
   sample(around, squares, 0, begin, progress);
   for (;;) {
@@ -196,9 +196,9 @@ Exposure Photographer::expose(const Tile& tile, Progress& progress) const {
       square.first_cover = square.cover;
     }
     sample(around, squares, begin, end, progress);
-    if (end == most || !stop_squares(width, squares)) break;
+    if (end == max || !stop_squares(width, squares)) break;
     begin = end;
-    end = std::min(2 * end, most);
+    end = std::min(2 * end, max);
   }
 
   // Each pixel adds up the shares of its own square and of the squares around it.

@@ -78,9 +78,9 @@ double error(const std::vector<PixelLight>& pixels, const std::vector<PixelLight
 TEST_F(PhotographedLeaves, SkyTakesFewSamplesAndLeavesTakeMany) {
   const std::vector<PixelLight> pixels = exposed(64, false);
   EXPECT_LE(pixels[0].samples, 8);
-  int most = 0;
-  for (const PixelLight& pixel : pixels) most = std::max(most, pixel.samples);
-  EXPECT_EQ(most, 64);
+  int max = 0;
+  for (const PixelLight& pixel : pixels) max = std::max(max, pixel.samples);
+  EXPECT_EQ(max, 64);
 }
 
 TEST_F(PhotographedLeaves, StoppingEarlyDoesNotDarken) {

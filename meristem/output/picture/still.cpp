@@ -41,13 +41,13 @@ class FlushToZero {
   unsigned before_;
 };
 
-void check_range(const char* path, int value, int most) {
-  if (value >= 1 && value <= most) return;
-  Diagnostic fault;
-  fault.message = fmt::format("{} is out of range", value);
-  fault.expected = fmt::format("1 to {}", most);
-  fault.path = path;
-  throw InputError(std::move(fault));
+void check_range(const char* path, int value, int max) {
+  if (value >= 1 && value <= max) return;
+  Diagnostic error;
+  error.message = fmt::format("{} is out of range", value);
+  error.expected = fmt::format("1 to {}", max);
+  error.path = path;
+  throw InputError(std::move(error));
 }
 
 /// Returns a number in [0, 1) that is spread over neighbouring pixels, so that smooth skies show no steps in 8 bits.

@@ -11,7 +11,7 @@ namespace meristem::scan_request_test {
 
 ScanPlan plan_of(const std::string& json) { return plan_scan(parse_json(json), 7); }
 
-std::string fault_of(const std::string& json) {
+std::string error_of(const std::string& json) {
   try {
     plan_of(json);
   } catch (const InputError& error) {
@@ -36,25 +36,25 @@ TEST(ScanRequest, WhatIsNotSaidIsAsInTheClass) {
 }
 
 TEST(ScanRequest, FaultsHaveTheirPaths) {
-  EXPECT_EQ(fault_of(R"({"instrument": "drones"})"), "instrument: 'drones' is not a value of 'kind'");
-  EXPECT_EQ(fault_of(R"({"instrument": {"kind": "phase", "stepp": 1}})").substr(0, 16), "instrument.stepp");
-  EXPECT_EQ(fault_of(R"({"instrument": {"kind": "drone", "lowest": 1}})").substr(0, 17), "instrument.lowest");
-  EXPECT_EQ(fault_of(R"({"instrument": {"lowest": 20, "highest": 10}})"),
+  EXPECT_EQ(error_of(R"({"instrument": "drones"})"), "instrument: 'drones' is not a value of 'kind'");
+  EXPECT_EQ(error_of(R"({"instrument": {"kind": "phase", "stepp": 1}})").substr(0, 16), "instrument.stepp");
+  EXPECT_EQ(error_of(R"({"instrument": {"kind": "drone", "lowest": 1}})").substr(0, 17), "instrument.lowest");
+  EXPECT_EQ(error_of(R"({"instrument": {"lowest": 20, "highest": 10}})"),
             "instrument.highest: the sweeps would have no height");
-  EXPECT_EQ(fault_of(R"({"instrument": {"nearest": 20, "farthest": 10}})"),
+  EXPECT_EQ(error_of(R"({"instrument": {"nearest": 20, "farthest": 10}})"),
             "instrument.farthest: no distance would be within the range");
-  EXPECT_EQ(fault_of(R"({"instrument": "drone", "stations": [[0, 1, 2]]})"),
+  EXPECT_EQ(error_of(R"({"instrument": "drone", "stations": [[0, 1, 2]]})"),
             "stations: a drone flies lines over the plants and has no stations");
-  EXPECT_EQ(fault_of(R"({"instrument": "drone", "around": 3})"),
+  EXPECT_EQ(error_of(R"({"instrument": "drone", "around": 3})"),
             "around: a drone flies lines over the plants and has no stations around them");
-  EXPECT_EQ(fault_of(R"({"target": [0, 1, 2]})"), "target: only depth cameras look at a target");
-  EXPECT_NE(fault_of(R"({"stations": [[0, 1, 2]], "around": 3})"), "no fault");
+  EXPECT_EQ(error_of(R"({"target": [0, 1, 2]})"), "target: only depth cameras look at a target");
+  EXPECT_NE(error_of(R"({"stations": [[0, 1, 2]], "around": 3})"), "no fault");
 }
 
 TEST(ScanRequest, EverySentenceStandsAlone) {
   for (const ParameterTable* table : {&scan_table(), &instrument_table()}) {
-    EXPECT_EQ(sentence_fault(table->doc), "") << table->doc;
-    for (const Parameter& row : table->parameters) EXPECT_EQ(sentence_fault(row.doc), "") << row.doc;
+    EXPECT_EQ(sentence_error(table->doc), "") << table->doc;
+    for (const Parameter& row : table->parameters) EXPECT_EQ(sentence_error(row.doc), "") << row.doc;
   }
 }
 

@@ -17,8 +17,8 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kMostMoments = 100'000;
-constexpr double kMostPoints = 1'000'000;
+constexpr std::size_t kMaxMoments = 100'000;
+constexpr double kMaxPoints = 1'000'000;
 
 struct FacadeParameters {
   std::string obstacle;
@@ -39,7 +39,7 @@ struct PanelParameters {
   double azimuth = kPi;
 };
 
-InputError fault(std::string path, std::string message, std::string expected, std::string nearest = {}) {
+InputError error(std::string path, std::string message, std::string expected, std::string nearest = {}) {
   return InputError(Diagnostic{.message = std::move(message),
                                .expected = std::move(expected),
                                .nearest = std::move(nearest),
@@ -70,10 +70,10 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
 /// Returns the number of steps from a beginning to an end. A last step that passes the end only by rounding counts.
 std::size_t steps_between(double from, double to, double step, const char* path, std::string_view text) {
   const char* const wanted = "FROM:TO:STEP, with a step above 0 and an end that is not before the start";
-  if (!(step > 0) || !(to >= from)) throw fault(path, fmt::format("'{}' is not a row of numbers", text), wanted);
+  if (!(step > 0) || !(to >= from)) throw error(path, fmt::format("'{}' is not a row of numbers", text), wanted);
   const double steps = std::floor((to - from) / step + 1e-9);
-  if (!(steps < static_cast<double>(kMostMoments))) {
-    throw fault(path, fmt::format("'{}' has too many steps", text), fmt::format("at most {}", kMostMoments));
+  if (!(steps < static_cast<double>(kMaxMoments))) {
+    throw error(path, fmt::format("'{}' has too many steps", text), fmt::format("at most {}", kMaxMoments));
   }
   return static_cast<std::size_t>(steps);
 }
@@ -88,7 +88,7 @@ std::optional<ShadeDay> day_of(std::string_view text) {
 void add_days(std::string_view part, std::vector<ShadeDay>& days) {
   const std::vector<std::string_view> ends = parts_of(part, ':');
   const auto wrong = [&] {
-    return fault("days", fmt::format("'{}' is not a day", part),
+    return error("days", fmt::format("'{}' is not a day", part),
                  "a day of the year (172), a date (2026-06-21), or FROM:TO:STEP of either");
   };
   if (ends.size() == 1) {
@@ -122,7 +122,7 @@ void add_hours(std::string_view part, std::vector<double>& hours) {
   const std::vector<std::string_view> ends = parts_of(part, ':');
   const auto is_hour = [](double hour) { return hour >= 0 && hour <= 24; };
   const auto wrong = [&] {
-    return fault("hours", fmt::format("'{}' is not an hour", part),
+    return error("hours", fmt::format("'{}' is not an hour", part),
                  "0 to 24, a time (15:30), or FROM:TO:STEP (6:20:0.5)");
   };
   if (ends.size() == 3) {
@@ -148,7 +148,7 @@ Parameters read_parameters(const ParameterTable& table, const Value& value, std:
   const Value whole = value.object() != nullptr ? value : Value(Value::Object{{table.shorthand, value}});
   const DocumentPath top;
   reader.read(table, &parameters, table.shorthand.empty() ? value : whole, DocumentPath(top, name));
-  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   return parameters;
 }
 
@@ -177,16 +177,16 @@ std::vector<std::size_t> obstacles_called(const std::string& name, const Obstacl
   if (number && *number == std::floor(*number) && *number >= 0 && *number < static_cast<double>(bodies.size())) {
     return {static_cast<std::size_t>(*number)};
   }
-  if (bodies.empty()) throw fault("facade.obstacle", "the scene has no obstacles", "an obstacle in the scene");
-  throw fault("facade.obstacle", fmt::format("no obstacle is called '{}'", name),
+  if (bodies.empty()) throw error("facade.obstacle", "the scene has no obstacles", "an obstacle in the scene");
+  throw error("facade.obstacle", fmt::format("no obstacle is called '{}'", name),
               fmt::format("one of {}", fmt::join(names, ", ")), nearest_name(name, names));
 }
 
 void check_points(double area, double spacing) {
   const double points = area / (spacing * spacing);
-  if (points <= kMostPoints) return;
-  throw fault("spacing", fmt::format("{:.4g} points are too many", points),
-              fmt::format("at most {}: a wider spacing than {:.4g} m", kMostPoints, spacing));
+  if (points <= kMaxPoints) return;
+  throw error("spacing", fmt::format("{:.4g} points are too many", points),
+              fmt::format("at most {}: a wider spacing than {:.4g} m", kMaxPoints, spacing));
 }
 
 ShadeSurface facade_of(const Value& value, const Scene& scene, double spacing) {
@@ -198,7 +198,7 @@ ShadeSurface facade_of(const Value& value, const Scene& scene, double spacing) {
   }
   ShadeSurface surface = surfaces.size() == 1 ? std::move(surfaces[0]) : joined(surfaces);
   if (surface.positions.empty()) {
-    throw fault("facade", fmt::format("no free face of '{}' looks to that side", facade.obstacle),
+    throw error("facade", fmt::format("no free face of '{}' looks to that side", facade.obstacle),
                 "another side, or an azimuth");
   }
   return surface;
@@ -215,7 +215,7 @@ ShadeSurface ground_of(const Value& value, const Scene& scene, double spacing) {
   const Vec2 size = glm::abs(ground.area[1] - ground.area[0]);
   check_points(double{size.x} * size.y, spacing);
   ShadeSurface surface = ground_surface(ground.area[0], ground.area[1], ground.height, scene.obstacles, spacing);
-  if (surface.positions.empty()) throw fault("ground", "obstacles stand on all of this ground", "another area");
+  if (surface.positions.empty()) throw error("ground", "obstacles stand on all of this ground", "another area");
   return surface;
 }
 
@@ -226,7 +226,7 @@ ShadeSurface surface_of(const ShadeRequest& request, const Scene& scene) {
                                 .expected = "one of facade, panels and ground"});
   }
   if (!(request.spacing > 0 && request.spacing <= 1000)) {
-    throw fault("spacing", fmt::format("the spacing cannot be {:.6g}", request.spacing),
+    throw error("spacing", fmt::format("the spacing cannot be {:.6g}", request.spacing),
                 "metres above 0, at most 1000");
   }
   if (!request.facade.is_null()) return facade_of(request.facade, scene, request.spacing);
@@ -236,14 +236,14 @@ ShadeSurface surface_of(const ShadeRequest& request, const Scene& scene) {
 
 void check_within(const char* name, const std::optional<double>& value, double low, double high) {
   if (!value || (*value >= low && *value <= high)) return;
-  throw fault(name, fmt::format("it cannot be {:.6g}", *value), fmt::format("{:.6g} to {:.6g}", low, high));
+  throw error(name, fmt::format("it cannot be {:.6g}", *value), fmt::format("{:.6g} to {:.6g}", low, high));
 }
 
 double latitude_of(const ShadeRequest& request, const Scene& scene) {
   check_within("latitude", request.latitude, -90, 90);
   if (request.latitude) return radians(*request.latitude);
   if (scene.latitude) return *scene.latitude;
-  throw fault("latitude", "the scene has no latitude", "the latitude of the scene in degrees, north positive");
+  throw error("latitude", "the scene has no latitude", "the latitude of the scene in degrees, north positive");
 }
 
 std::optional<ClockZone> zone_of(const ShadeRequest& request, const Scene& scene) {
@@ -254,7 +254,7 @@ std::optional<ClockZone> zone_of(const ShadeRequest& request, const Scene& scene
   if (request.longitude) zone.longitude = radians(*request.longitude);
   if (request.utc_offset) zone.utc_offset = *request.utc_offset;
   if (scene.clock || (request.longitude && request.utc_offset)) return zone;
-  throw fault(request.longitude ? "utc_offset" : "longitude", "clock time needs both a longitude and an offset",
+  throw error(request.longitude ? "utc_offset" : "longitude", "clock time needs both a longitude and an offset",
               "the scene's longitude in degrees and the clock's hours ahead of universal time");
 }
 
@@ -264,13 +264,13 @@ void set_times(const ShadeRequest& request, const Scene& scene, ShadePlan& plan)
   plan.is_clock_time = zone.has_value();
   plan.days = parse_shade_days(request.days);
   plan.hours = parse_shade_hours(request.hours);
-  if (plan.days.size() * plan.hours.size() > kMostMoments) {
-    throw fault("days", fmt::format("{} days of {} hours are too many moments", plan.days.size(), plan.hours.size()),
-                fmt::format("at most {}", kMostMoments));
+  if (plan.days.size() * plan.hours.size() > kMaxMoments) {
+    throw error("days", fmt::format("{} days of {} hours are too many moments", plan.days.size(), plan.hours.size()),
+                fmt::format("at most {}", kMaxMoments));
   }
   for (const ShadeDay& day : plan.days) {
     if (zone && !day.date) {
-      throw fault("days", fmt::format("day {} has no year, and hours are clock time here", day.day),
+      throw error("days", fmt::format("day {} has no year, and hours are clock time here", day.day),
                   "a date such as 2026-06-21");
     }
     for (const double hour : plan.hours) {
@@ -331,12 +331,12 @@ const ParameterTable& ground_table() {
           .check([](const GroundAreaParameters& ground, const DocumentPath& path, ParameterReader& reader) {
             const DocumentPath area(path, "area");
             if (ground.area.size() != 2) {
-              return reader.fault(area, fmt::format("the area has {} corners", ground.area.size()),
+              return reader.error(area, fmt::format("the area has {} corners", ground.area.size()),
                                   "two opposite corners, such as [[-10, -10], [10, 10]]");
             }
             const Vec2 size = glm::abs(ground.area[1] - ground.area[0]);
             if (!(size.x > 0 && size.y > 0)) {
-              reader.fault(area, "the area has no width", "two corners that differ in x and z");
+              reader.error(area, "the area has no width", "two corners that differ in x and z");
             }
           })
           .shorthand("area");
@@ -360,9 +360,9 @@ ShadePlan plan_shade(const ShadeRequest& request, const Scene& scene) {
   set_times(request, scene, plan);
   plan.surface = surface_of(request, scene);
   const std::size_t points = plan.surface.positions.size();
-  if (points > kMostShadeRays / plan.sun.size()) {
-    throw fault("spacing", fmt::format("{} points under {} positions of the sun are too many", points, plan.sun.size()),
-                fmt::format("at most {} rays: a wider spacing, or fewer days and hours", kMostShadeRays));
+  if (points > kMaxShadeRays / plan.sun.size()) {
+    throw error("spacing", fmt::format("{} points under {} positions of the sun are too many", points, plan.sun.size()),
+                fmt::format("at most {} rays: a wider spacing, or fewer days and hours", kMaxShadeRays));
   }
   return plan;
 }

@@ -17,7 +17,7 @@ Scene street() {
   return scene;
 }
 
-std::string fault_of(const ShadeRequest& request, const Scene& scene = street()) {
+std::string error_of(const ShadeRequest& request, const Scene& scene = street()) {
   try {
     plan_shade(request, scene);
   } catch (const InputError& error) {
@@ -64,14 +64,14 @@ TEST(ShadeRequest, FindsObstaclesByNameAndNumber) {
 }
 
 TEST(ShadeRequest, SaysWhatIsWrongWithASurface) {
-  EXPECT_EQ(fault_of(facade(R"("hous")")),
+  EXPECT_EQ(error_of(facade(R"("hous")")),
             "facade.obstacle: no obstacle is called 'hous'; expected one of house, 1, house; did you mean 'house'?");
-  EXPECT_NE(fault_of(facade(R"({"side": "south"})")).find("obstacle"), std::string::npos);
-  EXPECT_NE(fault_of(facade(R"({"obstacle": 0, "sid": "south"})")).find("did you mean 'side'?"), std::string::npos);
-  EXPECT_NE(fault_of(facade(R"({"obstacle": 0, "side": "sout"})")).find("did you mean 'south'?"), std::string::npos);
-  EXPECT_NE(fault_of(facade(R"({"obstacle": 0, "side": "south", "azimuth": 3})")).find("facade.azimuth"),
+  EXPECT_NE(error_of(facade(R"({"side": "south"})")).find("obstacle"), std::string::npos);
+  EXPECT_NE(error_of(facade(R"({"obstacle": 0, "sid": "south"})")).find("did you mean 'side'?"), std::string::npos);
+  EXPECT_NE(error_of(facade(R"({"obstacle": 0, "side": "sout"})")).find("did you mean 'south'?"), std::string::npos);
+  EXPECT_NE(error_of(facade(R"({"obstacle": 0, "side": "south", "azimuth": 3})")).find("facade.azimuth"),
             std::string::npos);
-  EXPECT_NE(fault_of(facade("0"),
+  EXPECT_NE(error_of(facade("0"),
                      [] {
                        Scene scene;
                        scene.latitude = 0;
@@ -80,23 +80,23 @@ TEST(ShadeRequest, SaysWhatIsWrongWithASurface) {
                 .find("the scene has no obstacles"),
             std::string::npos);
   ShadeRequest none{.days = "1"};
-  EXPECT_NE(fault_of(none).find("no surface is given"), std::string::npos);
+  EXPECT_NE(error_of(none).find("no surface is given"), std::string::npos);
   none.ground = parse_json("[[0, 0], [1, 1]]");
-  EXPECT_EQ(fault_of(none), "no fault");
+  EXPECT_EQ(error_of(none), "no fault");
   none.panels = parse_json(R"({"position": [0, 0, 0]})");
-  EXPECT_NE(fault_of(none).find("more than one surface"), std::string::npos);
+  EXPECT_NE(error_of(none).find("more than one surface"), std::string::npos);
 }
 
 TEST(ShadeRequest, SaysWhatIsWrongWithAnArea) {
-  const auto fault = [](const std::string& area) {
-    return fault_of({.ground = parse_json(area), .days = "1", .hours = "12"});
+  const auto error = [](const std::string& area) {
+    return error_of({.ground = parse_json(area), .days = "1", .hours = "12"});
   };
-  EXPECT_NE(fault("[[0, 0]]").find("ground.area: the area has 1 corners"), std::string::npos) << fault("[[0, 0]]");
-  EXPECT_NE(fault("[[0, 0], [0, 4]]").find("the area has no width"), std::string::npos);
-  EXPECT_NE(fault("[[0, 0], [1e5, 1e5]]").find("too many; expected at most"), std::string::npos);
-  EXPECT_NE(fault("[[-1, -8], [1, -4]]").find("obstacles stand on all of this ground"), std::string::npos);
+  EXPECT_NE(error("[[0, 0]]").find("ground.area: the area has 1 corners"), std::string::npos) << error("[[0, 0]]");
+  EXPECT_NE(error("[[0, 0], [0, 4]]").find("the area has no width"), std::string::npos);
+  EXPECT_NE(error("[[0, 0], [1e5, 1e5]]").find("too many; expected at most"), std::string::npos);
+  EXPECT_NE(error("[[-1, -8], [1, -4]]").find("obstacles stand on all of this ground"), std::string::npos);
   const auto panels = [](const std::string& field) {
-    return fault_of({.panels = parse_json(field), .days = "1", .hours = "12"});
+    return error_of({.panels = parse_json(field), .days = "1", .hours = "12"});
   };
   EXPECT_NE(panels(R"({"position": [0, 1, 0], "tilt": 95})").find("panels.tilt"), std::string::npos);
   EXPECT_NE(panels(R"({"tilt": 30})").find("position"), std::string::npos);
@@ -115,15 +115,15 @@ TEST(ShadeRequest, SolarHoursAreTheDocumentsOwn) {
 TEST(ShadeRequest, ClockHoursNeedDatesAndAZone) {
   ShadeRequest request{.ground = parse_json("[[0, 0], [1, 1]]"), .days = "2026-06-21", .hours = "15:30"};
   request.longitude = 13.4;
-  EXPECT_NE(fault_of(request).find("utc_offset: clock time needs both"), std::string::npos) << fault_of(request);
+  EXPECT_NE(error_of(request).find("utc_offset: clock time needs both"), std::string::npos) << error_of(request);
   request.utc_offset = 2;
   const ShadePlan plan = plan_shade(request, street());
   EXPECT_TRUE(plan.is_clock_time);
   EXPECT_NEAR(plan.solar_hours[0], 14.36, 0.01);
   request.days = "172";
-  EXPECT_NE(fault_of(request).find("day 172 has no year"), std::string::npos);
+  EXPECT_NE(error_of(request).find("day 172 has no year"), std::string::npos);
   request.longitude = 181;
-  EXPECT_NE(fault_of(request).find("longitude: it cannot be 181"), std::string::npos);
+  EXPECT_NE(error_of(request).find("longitude: it cannot be 181"), std::string::npos);
   // The document's settings of the sun apply if the request does not set them.
   Scene scene = street();
   scene.clock = ClockZone{radians(13.4), 2};
@@ -135,17 +135,17 @@ TEST(ShadeRequest, ClockHoursNeedDatesAndAZone) {
 TEST(ShadeRequest, ALatitudeIsNeededAndTheRequestsGoesFirst) {
   Scene scene;
   ShadeRequest request{.ground = parse_json("[[0, 0], [1, 1]]"), .days = "172", .hours = "12"};
-  EXPECT_NE(fault_of(request, scene).find("latitude: the scene has no latitude"), std::string::npos);
+  EXPECT_NE(error_of(request, scene).find("latitude: the scene has no latitude"), std::string::npos);
   request.latitude = -30;
   EXPECT_NEAR(degrees(plan_shade(request, street()).sun[0].altitude), 90 - 30 - 23.44, 0.1);
 }
 
 TEST(ShadeRequest, BoundsRays) {
   ShadeRequest request{.ground = parse_json("[[0, 0], [200, 200]]"), .spacing = 0.25, .days = "1:365:1"};
-  EXPECT_NE(fault_of(request).find("too many; expected at most 200000000 rays"), std::string::npos)
-      << fault_of(request);
+  EXPECT_NE(error_of(request).find("too many; expected at most 200000000 rays"), std::string::npos)
+      << error_of(request);
   request.spacing = 0;
-  EXPECT_NE(fault_of(request).find("spacing: the spacing cannot be 0"), std::string::npos);
+  EXPECT_NE(error_of(request).find("spacing: the spacing cannot be 0"), std::string::npos);
 }
 
 }  // namespace meristem::shade_request_test

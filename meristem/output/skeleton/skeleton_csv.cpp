@@ -29,7 +29,7 @@ class CsvRows {
     return line;
   }
 
-  std::size_t most_row_bytes() const {
+  std::size_t max_row_bytes() const {
     return longest(components_) + longest(table_.labels()) + table_.columns().size() * kCsvNumberBytes;
   }
 
@@ -78,7 +78,7 @@ void write_skeleton_csv(const Plant& grown, const Limits& limits, const std::str
   const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
     table.for_each_row(begin, end, [&](const SkeletonRow& row) { rows.append(row, out); });
   };
-  BlockWriter(file, progress).write(table.row_count(), rows.most_row_bytes(), fill);
+  BlockWriter(file, progress).write(table.row_count(), rows.max_row_bytes(), fill);
   file.commit();
 }
 

@@ -101,7 +101,7 @@ class MtgWriter {
     const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
       table_.for_each_row(begin, end, [&](const SkeletonRow& line) { append(line, out); });
     };
-    BlockWriter(file, progress_).write(table_.row_count(), most_row_bytes(), fill);
+    BlockWriter(file, progress_).write(table_.row_count(), max_row_bytes(), fill);
   }
 
  private:
@@ -181,7 +181,7 @@ class MtgWriter {
     return text + "\nMTG:\n" + names + '\n';
   }
 
-  std::size_t most_row_bytes() const {
+  std::size_t max_row_bytes() const {
     constexpr std::size_t kCodes = 64;  // maximum size of the codes of a plant, an axis and a segment, with line ends
     std::size_t longest = 0;
     for (const std::string& text : components_) longest = std::max(longest, text.size());

@@ -8,7 +8,7 @@
 namespace meristem {
 
 void BlockWriter::write(std::size_t count, std::size_t element_bytes, Fill fill) {
-  const std::size_t grain = std::clamp<std::size_t>(kBlockBytes / element_bytes, 1, kMostElements);
+  const std::size_t grain = std::clamp<std::size_t>(kBlockBytes / element_bytes, 1, kMaxElements);
   const std::size_t batch = grain * kBlocks;
   for (std::size_t start = 0; start < count; start += batch) {
     const std::size_t size = std::min(batch, count - start);

@@ -35,8 +35,8 @@ void for_each_run(std::size_t begin, std::size_t end, std::size_t per_frame, Bod
 
 class BlockWriter {
  public:
-  static constexpr std::size_t kBlocks = 64;          ///< number of blocks in memory at a time
-  static constexpr std::size_t kMostElements = 4096;  ///< maximum number of elements of one block
+  static constexpr std::size_t kBlocks = 64;         ///< number of blocks in memory at a time
+  static constexpr std::size_t kMaxElements = 4096;  ///< maximum number of elements of one block
   static constexpr std::size_t kBlockBytes = 400'000;
 
   /// Appends the bytes of elements `begin` to `end` to `out`. Called from any thread.

@@ -26,7 +26,7 @@ std::string written(std::size_t count, std::size_t element_bytes, BlockWriter::F
 }
 
 TEST(BlockWriter, WritesEveryElementInOrderOnAnyNumberOfThreads) {
-  constexpr std::size_t kCount = BlockWriter::kMostElements * BlockWriter::kBlocks + 5000;  // two batches
+  constexpr std::size_t kCount = BlockWriter::kMaxElements * BlockWriter::kBlocks + 5000;  // two batches
   std::string expected;
   for (std::size_t i = 0; i < kCount; ++i) expected += std::to_string(i) + '\n';
   for (const int threads : {1, 2, 3, 8}) {
@@ -44,16 +44,16 @@ TEST(BlockWriter, HoldsNoMoreThanItsBlocksHowLargeTheElementsMayBe) {
     const std::size_t count = 3 * bound / element;
     Progress progress;
     AtomicFile file("/dev/null");
-    std::atomic<std::size_t> most = 0;
+    std::atomic<std::size_t> max = 0;
     const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
       out.append((end - begin) * element, 'x');
       const std::size_t held = end * element - file.size();
-      for (std::size_t known = most; known < held && !most.compare_exchange_weak(known, held);) continue;
+      for (std::size_t known = max; known < held && !max.compare_exchange_weak(known, held);) continue;
     };
     BlockWriter(file, progress).write(count, element, fill);
     EXPECT_EQ(file.size(), count * element);
-    EXPECT_LE(most, bound);
-    EXPECT_GE(most, bound / 2);
+    EXPECT_LE(max, bound);
+    EXPECT_GE(max, bound / 2);
   }
 }
 

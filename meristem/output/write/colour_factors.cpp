@@ -20,7 +20,7 @@ Vec3 ColourFactors::instance(Vec3 tint) const {
 std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
   const std::size_t count = scene.materials.size();
   std::vector<ColourFactors> factors(count);
-  std::vector<Vec3> most(count, Vec3(0));
+  std::vector<Vec3> max(count, Vec3(0));
   std::vector<DVec3> sums(count, DVec3(0));
   std::vector<std::size_t> instance_counts(count, 0);
   for (const MeshInstances& instances : scene.meshes) {
@@ -28,12 +28,12 @@ std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
     const std::size_t frames = instances.count();
     instance_counts[m] += frames;
     if (instances.tints.empty()) {
-      most[m] = glm::max(most[m], Vec3(1));
+      max[m] = glm::max(max[m], Vec3(1));
       sums[m] += DVec3(static_cast<double>(frames));
     }
     const auto places = static_cast<double>(instances.place_count());
     for (const Vec3 tint : instances.tints) {
-      most[m] = glm::max(most[m], tint);
+      max[m] = glm::max(max[m], tint);
       sums[m] += places * DVec3(tint);
     }
     factors[m].varies |= !instances.tints.empty();
@@ -41,8 +41,8 @@ std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
   for (std::size_t m = 0; m < count; ++m) {
     const Vec3 tint = scene.materials[m].tint();
     factors[m].material = tint;
-    if (instance_counts[m] == 0) most[m] = Vec3(1);
-    factors[m].base = within_one(tint * most[m]);
+    if (instance_counts[m] == 0) max[m] = Vec3(1);
+    factors[m].base = within_one(tint * max[m]);
     const Vec3 mean = instance_counts[m] == 0 ? Vec3(1) : Vec3(sums[m] / static_cast<double>(instance_counts[m]));
     factors[m].mean = within_one(tint * mean);
   }

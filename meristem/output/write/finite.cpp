@@ -57,16 +57,16 @@ struct Stretch {
     }
   }
 
-  /// Returns the largest coordinate that points with coordinates up to `most` can reach.
-  double of(double most) const { return factor * most + shift; }
+  /// Returns the largest coordinate that points with coordinates up to `max` can reach.
+  double of(double max) const { return factor * max + shift; }
 };
 
 double largest(const std::vector<Vec3>& positions) {
-  float most = 0;
+  float max = 0;
   for (const Vec3 position : positions) {
-    for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(position[k]));
+    for (int k = 0; k < 3; ++k) max = std::max(max, std::abs(position[k]));
   }
-  return most;
+  return max;
 }
 
 /// Checks a mesh and returns its largest coordinate.

@@ -39,7 +39,7 @@ GrownDocument grown() {
   Progress progress;
   GrowthOptions options;
   options.up_to = GrownPart::textures;
-  options.view.wish = {TracePart::points};
+  options.view.request = {TracePart::points};
   return grow_document(document(), progress, options);
 }
 
@@ -73,14 +73,14 @@ void spoil_records(GrownDocument& grown) {
 std::string refusal(const Format& format, const GrownDocument& spoilt) {
   const TemporaryFolder folder;
   Progress progress;
-  std::string fault = "no fault";
+  std::string error = "no fault";
   try {
     format.write(document(), spoilt, (folder / ("oak" + std::string(format.ending))).string(), {}, progress);
   } catch (const InputError& error) {
-    fault = error.what();
+    error = error.what();
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << format.ending << " has left a file: " << fault;
-  return fault;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << format.ending << " has left a file: " << error;
+  return error;
 }
 
 TEST(Finite, EveryFormatRefusesNumbersThatAreNotFinite) {
@@ -105,7 +105,7 @@ TEST(Finite, TablesRefuseRecordsAndPointsThatAreNotFinite) {
 }
 
 TEST(Finite, FaultsNameTheComponent) {
-  const auto scene_fault = [](const GrownDocument& spoilt) -> std::string {
+  const auto scene_error = [](const GrownDocument& spoilt) -> std::string {
     try {
       require_finite(spoilt.meshes);
       require_finite(spoilt.plant);
@@ -114,19 +114,19 @@ TEST(Finite, FaultsNameTheComponent) {
     }
     return "no fault";
   };
-  EXPECT_EQ(scene_fault(grown()), "no fault");
+  EXPECT_EQ(scene_error(grown()), "no fault");
   GrownDocument spoilt = grown();
   mesh_of(part_of(spoilt, "leaf")).positions[0].x = kInfinity;
-  EXPECT_EQ(scene_fault(spoilt), "a position of the mesh of 'leaf' is not finite");
+  EXPECT_EQ(scene_error(spoilt), "a position of the mesh of 'leaf' is not finite");
   spoilt = grown();
   part_of(spoilt, "leaf").frames[0].origin.z = kNan;
-  EXPECT_EQ(scene_fault(spoilt), "the place or size of an instance of 'leaf' is not finite");
+  EXPECT_EQ(scene_error(spoilt), "the place or size of an instance of 'leaf' is not finite");
   spoilt = grown();
   spoilt.plant.stems[0].skeleton.position[2].y = kNan;
-  EXPECT_EQ(scene_fault(spoilt), "the position of a node of 'tree' is not finite");
+  EXPECT_EQ(scene_error(spoilt), "the position of a node of 'tree' is not finite");
   spoilt = grown();
   spoilt.plant.organs[0].frame.axes[1].x = kInfinity;
-  EXPECT_EQ(scene_fault(spoilt), "the place or size of an organ of 'leaf' is not finite");
+  EXPECT_EQ(scene_error(spoilt), "the place or size of an organ of 'leaf' is not finite");
 }
 
 TEST(Finite, InstancesThatWouldBecomeInfiniteAreRefused) {

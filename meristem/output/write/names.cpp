@@ -20,9 +20,9 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U
 }  // namespace
 
 std::string single_line(std::string_view text) {
-  constexpr std::size_t kMostBytes = 200;
-  if (text.size() > kMostBytes) {
-    std::size_t end = kMostBytes;
+  constexpr std::size_t kMaxBytes = 200;
+  if (text.size() > kMaxBytes) {
+    std::size_t end = kMaxBytes;
     while (end > 0 && continues_character(text[end])) --end;
     text = text.substr(0, end);
   }

@@ -14,7 +14,7 @@
 
 namespace meristem::picture_file_test {
 
-std::string fault_of(const std::string& path, bool transparent, const PictureFileOptions& options) {
+std::string error_of(const std::string& path, bool transparent, const PictureFileOptions& options) {
   try {
     check_picture_file(path, transparent, options);
   } catch (const InputError& error) {
@@ -37,14 +37,14 @@ TEST(PictureFile, TheEndingSaysTheFormat) {
 }
 
 TEST(PictureFile, RefusesWhatTheFormatCannotHold) {
-  EXPECT_NE(fault_of("oak.gif", false, {}).find(".png or .jpg"), std::string::npos);
-  EXPECT_NE(fault_of("oak", false, {}).find("'oak'"), std::string::npos);
-  EXPECT_NE(fault_of("oak.jpg", true, {}).find("transparent"), std::string::npos);
-  EXPECT_NE(fault_of("oak.png", false, {.quality = 80}).find("no quality"), std::string::npos);
-  EXPECT_NE(fault_of("-", false, {.max_bytes = 80}).find("no quality"), std::string::npos);
-  EXPECT_NE(fault_of("oak.jpg", false, {.quality = 0}).find("1 to 100"), std::string::npos);
-  for (const char* path : {"oak.png", "oak.PNG", "-"}) EXPECT_EQ(fault_of(path, true, {}), "") << path;
-  EXPECT_EQ(fault_of("oak.jpeg", false, {.quality = 80, .max_bytes = 1000}), "");
+  EXPECT_NE(error_of("oak.gif", false, {}).find(".png or .jpg"), std::string::npos);
+  EXPECT_NE(error_of("oak", false, {}).find("'oak'"), std::string::npos);
+  EXPECT_NE(error_of("oak.jpg", true, {}).find("transparent"), std::string::npos);
+  EXPECT_NE(error_of("oak.png", false, {.quality = 80}).find("no quality"), std::string::npos);
+  EXPECT_NE(error_of("-", false, {.max_bytes = 80}).find("no quality"), std::string::npos);
+  EXPECT_NE(error_of("oak.jpg", false, {.quality = 0}).find("1 to 100"), std::string::npos);
+  for (const char* path : {"oak.png", "oak.PNG", "-"}) EXPECT_EQ(error_of(path, true, {}), "") << path;
+  EXPECT_EQ(error_of("oak.jpeg", false, {.quality = 80, .max_bytes = 1000}), "");
 }
 
 }  // namespace meristem::picture_file_test

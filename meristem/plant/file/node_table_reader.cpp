@@ -24,7 +24,7 @@ namespace meristem {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint64_t kMostLetters = 100;
+constexpr std::uint64_t kMaxLetters = 100;
 
 /// A line of a table. A cylinder has both ends; a node has only `begin`.
 struct Row {
@@ -126,7 +126,7 @@ std::vector<std::string> names_of_head(std::string_view line) {
   const std::string_view separators = separator_of(line);
   while (names.size() < 1000) {
     const std::size_t end = std::min(line.find_first_of(separators), line.size());
-    names.emplace_back(without_blanks(line.substr(0, std::min<std::size_t>(end, kMostLetters))));
+    names.emplace_back(without_blanks(line.substr(0, std::min<std::size_t>(end, kMaxLetters))));
     if (end == line.size()) break;
     line.remove_prefix(end + 1);
   }
@@ -245,12 +245,12 @@ class TableReader {
     try {
       return read_columns(text_.substr(before_.offset), requests_, limits_, RowLimit::nodes);
     } catch (const InputError& error) {
-      std::vector<Diagnostic> faults = error.diagnostics();
-      for (Diagnostic& fault : faults) {
-        fault.file = file_;
-        if (fault.line > 0) fault.line += before_.lines;
+      std::vector<Diagnostic> errors = error.diagnostics();
+      for (Diagnostic& diagnostic : errors) {
+        diagnostic.file = file_;
+        if (diagnostic.line > 0) diagnostic.line += before_.lines;
       }
-      throw InputError(std::move(faults));
+      throw InputError(std::move(errors));
     }
   }
 
@@ -483,8 +483,8 @@ class TreeFileReader {
       fail(file_, line_, place + " is not a number", fmt::format("{}, a finite number", what), {}, column);
     }
     if (!limit.holds(value)) {
-      const Diagnostic fault = number_fault(place, limit);
-      fail(file_, line_, fault.message, fault.expected, {}, column);
+      const Diagnostic outside = number_error(place, limit);
+      fail(file_, line_, outside.message, outside.expected, {}, column);
     }
     return value;
   }

@@ -17,7 +17,7 @@ Skeleton skeleton(const std::string& text, const NodeTablePlacement& placement =
   return skeleton_of(read_node_table(text, "t.csv", {}), placement, "t.csv");
 }
 
-std::string fault_of(const std::string& text, const Limits& limits = {}) {
+std::string error_of(const std::string& text, const Limits& limits = {}) {
   try {
     skeleton_of(read_node_table(text, "t.csv", limits), {}, "t.csv");
   } catch (const InputError& error) {
@@ -119,7 +119,7 @@ TEST(NodeTable, TreeQsmsTextFilesNameAPointOverThreeColumns) {
   ASSERT_EQ(tree.node_count(), 3U);
   EXPECT_EQ(tree.position[2], Vec3(0.5F, 1, 0));
   EXPECT_EQ(tree.radius[1], 0.1F);
-  EXPECT_EQ(fault_of("length (m)\tstart_point\taxis_direction\tparent\n1\t0\t0\tup\t0\t0\t1\t0\n"),
+  EXPECT_EQ(error_of("length (m)\tstart_point\taxis_direction\tparent\n1\t0\t0\tup\t0\t0\t1\t0\n"),
             "t.csv:1:1: there is no column 'radius'; expected a head line that names it");
 }
 
@@ -159,58 +159,58 @@ TEST(NodeTable, TreeFilesHaveALinePerTree) {
 }
 
 TEST(NodeTable, FaultsHaveTheirLine) {
-  EXPECT_EQ(fault_of("x,y,z,radius,parrent\n0,0,0,1,-1\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parrent\n0,0,0,1,-1\n"),
             "t.csv:1:1: there is no column 'parent'; expected a head line that names it; did you mean 'parrent'?");
-  EXPECT_EQ(fault_of("# scan\nx,y,z,radius,parent\n0,0,0,1,-1\n0,high,0,1,0\n"),
+  EXPECT_EQ(error_of("# scan\nx,y,z,radius,parent\n0,0,0,1,-1\n0,high,0,1,0\n"),
             "t.csv:4:3: 'high' in the column 'y' is not a number; expected a finite number");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,7\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,7\n"),
             "t.csv:3: there is no parent 7; expected the number of another row; of roots -1, or nothing");
-  EXPECT_EQ(fault_of("id,x,y,z,radius,parent\n1,0,0,0,1,-1\n1,0,0,1,1,1\n"),
+  EXPECT_EQ(error_of("id,x,y,z,radius,parent\n1,0,0,0,1,-1\n1,0,0,1,1,1\n"),
             "t.csv:3: the number 1 is that of line 2 already; expected a number of its own for each row");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,2\n0,0,2,1,1\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,1,-1\n0,0,1,1,2\n0,0,2,1,1\n"),
             "t.csv:3: the row's parents lead in a circle; expected parents that lead to a root");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1,0\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,1,0\n"),
             "t.csv:2: the row's parents lead in a circle; expected parents that lead to a root");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,-1,-1\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,-1,-1\n"),
             "t.csv:2:7: '-1' in the column 'radius' is out of range; expected a radius or diameter from 0 to 1e+09");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1,-1\n3e9,0,0,1,0\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,1,-1\n3e9,0,0,1,0\n"),
             "t.csv:3: the node is too far away; expected coordinates within 1000000 m");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n"), "t.csv:1:1: the file has no rows below its head line");
-  EXPECT_EQ(fault_of(""), "t.csv: the file has no lines; expected a head line and rows");
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n"), "t.csv:1:1: the file has no rows below its head line");
+  EXPECT_EQ(error_of(""), "t.csv: the file has no lines; expected a head line and rows");
 }
 
 TEST(NodeTable, FaultsOfTreeFilesHaveTheirLine) {
   const std::string head = "x,y,z,radius,parent_id\n";
-  EXPECT_EQ(fault_of(head + "0,0,0,0.1,-1, 0,0,1,0.1\n"),
+  EXPECT_EQ(error_of(head + "0,0,0,0.1,-1, 0,0,1,0.1\n"),
             "t.csv:2: the segment 1 of the tree has 4 numbers; expected 5, as the head line");
-  EXPECT_EQ(fault_of(head + "0,0,0,0.1,-1, 0,0,up,0.1,0\n"),
+  EXPECT_EQ(error_of(head + "0,0,0,0.1,-1, 0,0,up,0.1,0\n"),
             "t.csv:2:19: 'up' in the segment 1 of the tree is not a number; expected z, a finite number");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent_ld\n0,0,0,0.1,-1, 0,0,1,0.1,0\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent_ld\n0,0,0,0.1,-1, 0,0,1,0.1,0\n"),
             "t.csv:1: there is no column 'parent_id'; expected a head line that names it; did you mean 'parent_ld'?");
-  EXPECT_EQ(fault_of(head + "0,0,0,0.1,-1, 0,0,1,0.1,5\n"),
+  EXPECT_EQ(error_of(head + "0,0,0,0.1,-1, 0,0,1,0.1,5\n"),
             "t.csv:2: there is no parent 5; expected the number of another row; of roots -1, or nothing");
 }
 
 TEST(NodeTable, NumbersThatAreOutOfRangeAreRefusedWithLineAndColumn) {
   const std::string nodes = "x,y,z,radius,parent\n0,0,0,1,-1\n";
   const std::string expected_radius = " is out of range; expected a radius or diameter from 0 to 1e+09";
-  EXPECT_EQ(fault_of(nodes + "0,0,1,1e308,0\n"), "t.csv:3:7: '1e308' in the column 'radius'" + expected_radius);
-  EXPECT_EQ(fault_of(nodes + "0,-1e13,1,1,0\n"),
+  EXPECT_EQ(error_of(nodes + "0,0,1,1e308,0\n"), "t.csv:3:7: '1e308' in the column 'radius'" + expected_radius);
+  EXPECT_EQ(error_of(nodes + "0,-1e13,1,1,0\n"),
             "t.csv:3:3: '-1e13' in the column 'y' is out of range; expected a coordinate from -1e+12 to 1e+12");
-  EXPECT_EQ(fault_of(nodes + "0,0,inf,1,0\n"),
+  EXPECT_EQ(error_of(nodes + "0,0,inf,1,0\n"),
             "t.csv:3:5: 'inf' in the column 'z' is not a number; expected a finite number");
-  EXPECT_EQ(fault_of(nodes + "0,0,1,nan,0\n"),
+  EXPECT_EQ(error_of(nodes + "0,0,1,nan,0\n"),
             "t.csv:3:7: 'nan' in the column 'radius' is not a number; expected a finite number");
-  EXPECT_EQ(fault_of("x,y,z,radius,parent,birth\n0,0,0,1,-1,1e39\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent,birth\n0,0,0,1,-1,1e39\n"),
             "t.csv:2:12: '1e39' in the column 'birth' is out of range; expected a number from -3.4e+38 to 3.4e+38");
-  EXPECT_EQ(fault_of("radius,length,start_x,start_y,start_z,axis_x,axis_y,axis_z,parent\n1e9,1e300,0,0,0,0,0,1,0\n"),
+  EXPECT_EQ(error_of("radius,length,start_x,start_y,start_z,axis_x,axis_y,axis_z,parent\n1e9,1e300,0,0,0,0,0,1,0\n"),
             "t.csv:2:5: '1e300' in the column 'length' is out of range; expected a coordinate from -1e+12 to 1e+12");
   const std::string trees = "x,y,z,radius,parent_id\n0,0,0,0.1,-1, 0,0,1,";
-  EXPECT_EQ(fault_of(trees + "1e308,0\n"), "t.csv:2:21: '1e308' in the segment 1 of the tree" + expected_radius);
+  EXPECT_EQ(error_of(trees + "1e308,0\n"), "t.csv:2:21: '1e308' in the segment 1 of the tree" + expected_radius);
 }
 
 TEST(NodeTable, RadiiAreLimitedInMetres) {
-  EXPECT_EQ(fault_of("x,y,z,radius,parent\n0,0,0,1e3,-1\n0,0,1,1.5e3,0\n"),
+  EXPECT_EQ(error_of("x,y,z,radius,parent\n0,0,0,1e3,-1\n0,0,1,1.5e3,0\n"),
             "t.csv:3: the radius of 1500 m is too large; expected radii up to 1000 m");
   EXPECT_EQ(skeleton("x,y,z,radius,parent\n0,0,0,1e3,-1\n").radius[0], 1000);
 }
@@ -235,10 +235,10 @@ TEST(NodeTable, MoreNodesThanMayBeAreRefusedWhileTheyAreRead) {
   Limits limits;
   limits.nodes = 10;
   EXPECT_EQ(
-      fault_of(many, limits).find("t.csv:12: 11 rows of a table are too many; expected at most 10 (limits.nodes)"), 0U)
-      << fault_of(many, limits);
+      error_of(many, limits).find("t.csv:12: 11 rows of a table are too many; expected at most 10 (limits.nodes)"), 0U)
+      << error_of(many, limits);
   limits.nodes = 2;
-  EXPECT_NE(fault_of("x,y,z,radius,parent_id\n0,0,0,1,-1, 0,0,1,1,0, 0,0,2,1,1\n", limits).find("nodes of a file"),
+  EXPECT_NE(error_of("x,y,z,radius,parent_id\n0,0,0,1,-1, 0,0,1,1,0, 0,0,2,1,1\n", limits).find("nodes of a file"),
             std::string::npos);
 }
 

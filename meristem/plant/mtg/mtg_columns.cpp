@@ -20,12 +20,12 @@ constexpr std::array<std::string_view, 15> kTakenNames{"XX",     "YY",       "ZZ
                                                        "birth",  "Alias",    "label",  "component", "instance"};
 constexpr std::array<std::string_view, 7> kNoNames{
     "NAME", "CODE", "CODE:", "CLASSES:", "DESCRIPTION:", "FEATURES:", "MTG:"};
-constexpr std::uint64_t kMostColumns = 16;
+constexpr std::uint64_t kMaxColumns = 16;
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-constexpr double kMostWhole = 9'007'199'254'740'992;  // the largest n up to which doubles represent every whole number
-constexpr std::int32_t kMostMetamers = 16'777'216;    // the largest n up to which floats do
+constexpr double kMaxWhole = 9'007'199'254'740'992;  // the largest n up to which doubles represent every whole number
+constexpr std::int32_t kMaxMetamers = 16'777'216;    // the largest n up to which floats do
 
-bool is_whole(double number, double most) { return number >= 0 && number <= most && std::floor(number) == number; }
+bool is_whole(double number, double max) { return number >= 0 && number <= max && std::floor(number) == number; }
 
 class ColumnReader {
  public:
@@ -68,11 +68,11 @@ class ColumnReader {
 
   void check_count(const std::string& file, const Limits& limits) const {
     const double wanted = static_cast<double>(names_.size()) * static_cast<double>(skeleton_.node_count());
-    const std::uint64_t most = kMostColumns * limits.nodes;
-    if (wanted <= static_cast<double>(most)) return;
-    Diagnostic fault = limit_diagnostic("numbers of nodes", wanted, most, "nodes * 16", "");
-    fault.file = file;
-    throw InputError(std::move(fault));
+    const std::uint64_t max = kMaxColumns * limits.nodes;
+    if (wanted <= static_cast<double>(max)) return;
+    Diagnostic error = limit_diagnostic("numbers of nodes", wanted, max, "nodes * 16", "");
+    error.file = file;
+    throw InputError(std::move(error));
   }
 
   void read_columns() {
@@ -121,7 +121,7 @@ class ColumnReader {
       const NodeIndex parent = skeleton_.parent[node];
       const bool goes_on = parent != kNoNode && skeleton_.axis[parent] == skeleton_.axis[node];
       const std::int32_t index = tree_.index[vertex];
-      if (index > kMostMetamers || static_cast<float>(index) != (goes_on ? metamer[parent] : 0) + 1) return;
+      if (index > kMaxMetamers || static_cast<float>(index) != (goes_on ? metamer[parent] : 0) + 1) return;
       metamer[node] = static_cast<float>(index);
     }
     if (!metamer.empty()) skeleton_.extra.emplace(kMetamerColumn, std::move(metamer));
@@ -143,7 +143,7 @@ class ColumnReader {
     const std::vector<double> number = node_numbers("node");
     if (number.empty()) return {};
     for (NodeIndex node = 0; node < skeleton_.node_count(); ++node) {
-      if (!is_whole(number[node], kMostWhole)) return {};
+      if (!is_whole(number[node], kMaxWhole)) return {};
       if (!skeleton_.is_root(node) && number[skeleton_.parent[node]] >= number[node]) return {};
     }
     std::vector<NodeIndex> order(skeleton_.node_count());

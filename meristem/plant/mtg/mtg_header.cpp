@@ -35,7 +35,7 @@ bool is_class_name(std::string_view text) {
 
 class HeaderReader {
  public:
-  HeaderReader(MtgLines& lines, MtgFaults& faults) : lines_(lines), faults_(faults) {
+  HeaderReader(MtgLines& lines, MtgErrors& errors) : lines_(lines), errors_(errors) {
     header_.classes.push_back({"$", 0});
     header_.class_by_name.emplace("$", 0);
   }
@@ -49,7 +49,7 @@ class HeaderReader {
         section = *begun;
         if (section == "MTG") {
           // Stop here on errors, because they would cause many errors in the entities.
-          faults_.throw_if_any();
+          errors_.throw_if_any();
           return std::move(header_);
         }
         if (section == "CODE") read_form(line, words);
@@ -58,7 +58,7 @@ class HeaderReader {
       read_row(section, line, words);
     }
     line = {{}, lines_.last_number()};
-    faults_.fail(line, 0, {.message = "the file ends without entities", .expected = "a section that begins with MTG:"});
+    errors_.fail(line, 0, {.message = "the file ends without entities", .expected = "a section that begins with MTG:"});
   }
 
  private:
@@ -75,7 +75,7 @@ class HeaderReader {
   void read_form(const MtgLine& line, const std::vector<MtgWord>& words) {
     const MtgWord form = words.back();
     if (form.text.ends_with("FORM-A")) return;
-    faults_.add(line, form.offset,
+    errors_.add(line, form.offset,
                 {.message = fmt::format("{} is not a form that can be read", shown(form.text)), .expected = "FORM-A"});
   }
 
@@ -90,7 +90,7 @@ class HeaderReader {
     } else {
       std::string_view name = words[0].text;
       if (name.ends_with(':')) name.remove_suffix(1);
-      faults_.fail(line, words[0].offset,
+      errors_.fail(line, words[0].offset,
                    {.message = fmt::format("{} is not a section", shown(words[0].text)),
                     .expected = fmt::format("one of {}", fmt::join(kSections, ", ")),
                     .nearest = nearest_name(name, names_of(kSections))});
@@ -101,14 +101,14 @@ class HeaderReader {
     const std::string_view name = words[0].text;
     if (!is_class_name(name)) {
       classes_are_known_ = false;
-      faults_.add(line, words[0].offset,
+      errors_.add(line, words[0].offset,
                   {.message = fmt::format("{} cannot be a class", shown(name)), .expected = "letters alone"});
       return;
     }
     const auto scale = words.size() > 1 ? to_number(words[1].text) : std::nullopt;
     if (!scale || *scale != static_cast<int>(std::clamp(*scale, 0.0, double{kDeepestMtgScale}))) {
       classes_are_known_ = false;
-      faults_.add(line, words.size() > 1 ? words[1].offset : line.text.size(),
+      errors_.add(line, words.size() > 1 ? words[1].offset : line.text.size(),
                   {.message = fmt::format("the class {} has no scale", shown(name)),
                    .expected = fmt::format("a whole number from 0 to {}", kDeepestMtgScale)});
       return;
@@ -119,7 +119,7 @@ class HeaderReader {
     if (is_new) {
       header_.classes.push_back(declared);
     } else if (header_.classes[found->second].scale != declared.scale) {
-      faults_.add(line, words[1].offset,
+      errors_.add(line, words[1].offset,
                   {.message = fmt::format("the class {} has two scales", shown(name)),
                    .expected = fmt::format("{} again", header_.classes[found->second].scale)});
     }
@@ -136,11 +136,11 @@ class HeaderReader {
         begin = end + 1;
       }
     }
-    faults_.add(line, line.text.size(), {.message = "the rule has no relation", .expected = "'<' or '+'"});
+    errors_.add(line, line.text.size(), {.message = "the rule has no relation", .expected = "'<' or '+'"});
   }
 
   void add_unknown_class(const MtgLine& line, std::size_t offset, std::string_view name) {
-    faults_.add(line, offset,
+    errors_.add(line, offset,
                 {.message = fmt::format("{} is not a class", shown(name)),
                  .expected = "one that CLASSES declares",
                  .nearest = nearest_known(name, header_.class_by_name)});
@@ -151,7 +151,7 @@ class HeaderReader {
     const std::string_view type = words.size() > 1 ? words[1].text : std::string_view();
     const bool is_number = contains(kNumberTypes, type);
     if (!is_number && !contains(kOtherTypes, type)) {
-      faults_.add(
+      errors_.add(
           line, words.size() > 1 ? words[1].offset : line.text.size(),
           {.message = type.empty() ? fmt::format("the feature {} has no type", shown(name))
                                    : fmt::format("{} is not a type of features", shown(type)),
@@ -163,19 +163,19 @@ class HeaderReader {
     if (header_.feature_by_name.try_emplace(std::string(name), number).second) {
       header_.features.push_back({std::string(name), std::string(type), is_number});
     } else {
-      faults_.add(line, words[0].offset,
+      errors_.add(line, words[0].offset,
                   {.message = fmt::format("the feature {} is declared twice", shown(name)), .expected = "it once"});
     }
   }
 
   MtgLines& lines_;
-  MtgFaults& faults_;
+  MtgErrors& errors_;
   MtgHeader header_;
   bool classes_are_known_ = true;
 };
 
 }  // namespace
 
-MtgHeader read_mtg_header(MtgLines& lines, MtgFaults& faults) { return HeaderReader(lines, faults).read(); }
+MtgHeader read_mtg_header(MtgLines& lines, MtgErrors& errors) { return HeaderReader(lines, errors).read(); }
 
 }  // namespace meristem

@@ -21,8 +21,8 @@ struct MtgHeader {
 /// Returns the name in a map that is nearest to an unknown name. Empty if the map is too large to compare.
 template <class Map>
 std::string nearest_known(std::string_view name, const Map& known) {
-  constexpr std::size_t kMostCompared = 1000;
-  if (known.size() > kMostCompared) return {};
+  constexpr std::size_t kMaxCompared = 1000;
+  if (known.size() > kMaxCompared) return {};
   std::vector<std::string> names;
   names.reserve(known.size());
   for (const auto& [candidate, value] : known) names.push_back(candidate);
@@ -33,6 +33,6 @@ std::string nearest_known(std::string_view name, const Map& known) {
 inline constexpr int kDeepestMtgScale = 32;
 
 /// Reads the sections CODE, CLASSES, DESCRIPTION and FEATURES up to and including the line `MTG:`.
-MtgHeader read_mtg_header(MtgLines& lines, MtgFaults& faults);
+MtgHeader read_mtg_header(MtgLines& lines, MtgErrors& errors);
 
 }  // namespace meristem

@@ -7,7 +7,7 @@
 namespace meristem {
 namespace {
 
-constexpr std::uint32_t kMostOrders = 64;
+constexpr std::uint32_t kMaxOrders = 64;
 constexpr NodeIndex kBetweenChecks = 65'536;  // nodes between two checks of progress
 
 /// Returns the largest number of branchings between a root and a node.
@@ -57,7 +57,7 @@ MtgLayout::MtgLayout(std::span<const Skeleton* const> skeletons, const Progress&
   bool by_order = true;
   for (const Skeleton* skeleton : skeletons) {
     nodes += skeleton->node_count();
-    by_order = by_order && deepest_order(*skeleton) < kMostOrders;
+    by_order = by_order && deepest_order(*skeleton) < kMaxOrders;
     progress.check();
   }
   places_.reserve(nodes);

@@ -86,17 +86,17 @@ class Names {
 class TreeReader {
  public:
   TreeReader(std::string_view text, const std::string& file, const Limits& limits)
-      : lines_(text), faults_(file, std::max<std::uint64_t>(limits.diagnostics, 1)), limits_(limits) {}
+      : lines_(text), errors_(file, std::max<std::uint64_t>(limits.diagnostics, 1)), limits_(limits) {}
 
   MtgTree read() {
-    header_ = read_mtg_header(lines_, faults_);
+    header_ = read_mtg_header(lines_, errors_);
     tree_.classes = header_.classes;
     tree_.features = header_.features;
     add_vertex({}, kNoVertex, kNoVertex, MtgEdge::none, {});
     names_.add(kNoVertex, Relation::part, {});
     read_columns();
     while (lines_.next(line_)) read_line();
-    faults_.throw_if_any();
+    errors_.throw_if_any();
     return std::move(tree_);
   }
 
@@ -107,11 +107,11 @@ class TreeReader {
   void read_columns() {
     if (!lines_.next(line_)) {
       line_ = {{}, lines_.last_number()};
-      faults_.fail(line_, 0, {.message = "the file ends before its entities", .expected = kColumnsExpected});
+      errors_.fail(line_, 0, {.message = "the file ends before its entities", .expected = kColumnsExpected});
     }
     const std::vector<MtgWord> cells = line_.cells();
     if (cells[0].text != "ENTITY-CODE" && cells[0].text != "TOPO") {
-      faults_.fail(line_, cells[0].offset,
+      errors_.fail(line_, cells[0].offset,
                    {.message = fmt::format("{} does not begin a line of columns", shown(cells[0].text)),
                     .expected = kColumnsExpected,
                     .nearest = nearest_name(cells[0].text, std::vector<std::string>{"ENTITY-CODE", "TOPO"})});
@@ -125,7 +125,7 @@ class TreeReader {
       if (found != header_.feature_by_name.end()) {
         feature_of_column_[k] = found->second;
       } else {
-        faults_.add(line_, cells[k].offset,
+        errors_.add(line_, cells[k].offset,
                     {.message = fmt::format("{} is not a feature", shown(cells[k].text)),
                      .expected = "one that FEATURES declares",
                      .nearest = nearest_known(cells[k].text, header_.feature_by_name)});
@@ -143,7 +143,7 @@ class TreeReader {
       read_code(cells[k], k);
     }
     if (!has_code) {
-      faults_.add(line_, line_.text.find_first_not_of(" \t"),
+      errors_.add(line_, line_.text.find_first_not_of(" \t"),
                   {.message = "values without an entity",
                    .expected = fmt::format("the code of an entity in one of the first {} columns", code_columns_)});
     } else if (named_.last != kNoVertex) {
@@ -159,15 +159,15 @@ class TreeReader {
       if (cells[k].text.empty() || feature == kNone) continue;
       const MtgFeature& declared = tree_.features[feature];
       if (declared.is_number && !to_number(cells[k].text)) {
-        faults_.add(line_, cells[k].offset,
+        errors_.add(line_, cells[k].offset,
                     {.message = fmt::format("{} cannot be the {} of {}", shown(cells[k].text), declared.name,
                                             tree_.label(named_.last)),
                      .expected = "a number or nothing"});
         continue;
       }
       if (declared.is_number && !kFileNumber.holds(*to_number(cells[k].text))) {
-        faults_.add(line_, cells[k].offset,
-                    number_fault(
+        errors_.add(line_, cells[k].offset,
+                    number_error(
                         fmt::format("{}, the {} of {},", shown(cells[k].text), declared.name, tree_.label(named_.last)),
                         kFileNumber));
         continue;
@@ -214,7 +214,7 @@ class TreeReader {
       if (text[0] == '^') ++code.at;
       code.position = latest_[column];
       if (code.position != kNoVertex) return true;
-      faults_.add(line_, code.cell.offset,
+      errors_.add(line_, code.cell.offset,
                   {.message = "there is no entity above in this column", .expected = "a code before it"});
       return false;
     }
@@ -236,7 +236,7 @@ class TreeReader {
     const std::string_view name = text.substr(1, end == std::string_view::npos ? end : end - 1);
     const auto found = aliases_.find(name);
     if (end == std::string_view::npos || found == aliases_.end()) {
-      faults_.add(line_, code.cell.offset,
+      errors_.add(line_, code.cell.offset,
                   {.message = fmt::format("{} is not an alias", shown(name)),
                    .expected = "the value of a feature Alias before it",
                    .nearest = nearest_known(name, aliases_)});
@@ -254,7 +254,7 @@ class TreeReader {
     const auto sign = std::find_if(kSigns.begin(), kSigns.end(),
                                    [&](const Sign& candidate) { return rest.starts_with(candidate.text); });
     if (sign == kSigns.end()) {
-      faults_.add(line_, code.offset(),
+      errors_.add(line_, code.offset(),
                   {.message = fmt::format("{} does not say how it is joined", shown(rest)),
                    .expected = "one of '/', '<', '+', '<<', '++'"});
       return false;
@@ -289,7 +289,7 @@ class TreeReader {
     while (end < rest.size() && is_digit(rest[end])) ++end;
     code.at += end;
     if (name.empty()) {
-      faults_.add(line_, offset,
+      errors_.add(line_, offset,
                   {.message = fmt::format("a label is missing behind '{}'", sign.text),
                    .expected = "a class and a number, such as S1"});
       return {};
@@ -299,7 +299,7 @@ class TreeReader {
     if (found == header_.class_by_name.end()) {
       // Some programs name the scene without declaring its class.
       if (tree_.vertex_count() == 1 && sign.relation == Relation::part) return label;
-      faults_.add(line_, offset,
+      errors_.add(line_, offset,
                   {.message = fmt::format("{} is not a class", shown(name)),
                    .expected = "one that CLASSES declares",
                    .nearest = nearest_known(name, header_.class_by_name)});
@@ -309,7 +309,7 @@ class TreeReader {
     if (end == digits) return label;
     const std::string_view number = rest.substr(digits, end - digits);
     if (std::from_chars(number.data(), number.data() + number.size(), label.index).ec != std::errc()) {
-      faults_.add(line_, offset + digits,
+      errors_.add(line_, offset + digits,
                   {.message = fmt::format("the number {} is too large", shown(number)),
                    .expected = fmt::format("at most {}", std::numeric_limits<std::int32_t>::max())});
       return {};
@@ -346,7 +346,7 @@ class TreeReader {
     code.position = finer_base(code.position, tree_.classes[label.type].scale);
     const Label from{tree_.type[code.position], tree_.index[code.position]};
     if (from.type != label.type || from.index < 0 || from.index >= label.index) {
-      faults_.add(line_, offset,
+      errors_.add(line_, offset,
                   {.message = fmt::format("'{}' cannot lead from {} to {}{}", sign.text, tree_.label(code.position),
                                           tree_.classes[label.type].name, label.index),
                    .expected = "two labels of one class with rising numbers"});
@@ -370,7 +370,7 @@ class TreeReader {
     if (!is_part) code.position = finer_base(code.position, scale);
     const int from_scale = tree_.scale(code.position);
     if (is_part ? scale > from_scale + 1 : scale > from_scale) {
-      faults_.add(line_, offset,
+      errors_.add(line_, offset,
                   {.message = fmt::format("{} of scale {} cannot follow {} of scale {}", tree_.classes[label.type].name,
                                           scale, tree_.label(code.position), from_scale),
                    .expected = fmt::format("'/' and an entity of scale {}", from_scale + 1)});
@@ -419,14 +419,14 @@ class TreeReader {
   void check_count(std::uint64_t more, std::size_t offset) {
     const std::uint64_t wanted = tree_.vertex_count() + more;
     if (wanted <= limits_.nodes) return;
-    faults_.fail(line_, offset, limit_diagnostic("entities", static_cast<double>(wanted), limits_.nodes, "nodes", ""));
+    errors_.fail(line_, offset, limit_diagnostic("entities", static_cast<double>(wanted), limits_.nodes, "nodes", ""));
   }
 
   static constexpr const char* kColumnsExpected = "ENTITY-CODE or TOPO, and the names of features";
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
   MtgLines lines_;
-  MtgFaults faults_;
+  MtgErrors errors_;
   Limits limits_;
   MtgHeader header_;
   MtgTree tree_;

@@ -32,7 +32,7 @@ MtgSkeleton read(const std::string& codes, const MtgGeometry& geometry = {}) {
   return skeleton_of(read_mtg(kHeader + codes, "plant.mtg", {}), "plant.mtg", geometry, {});
 }
 
-std::string fault(const std::string& codes, const MtgGeometry& geometry = {}) {
+std::string error(const std::string& codes, const MtgGeometry& geometry = {}) {
   try {
     read(codes, geometry);
   } catch (const InputError& error) {
@@ -92,18 +92,18 @@ TEST(MtgSkeleton, SeveralPlantsAreAForest) {
 }
 
 TEST(MtgSkeleton, FaultsNameTheFeatureOrTheLine) {
-  EXPECT_EQ(fault(kForked, {.position = {"XX", "YY", "Z"}}),
+  EXPECT_EQ(error(kForked, {.position = {"XX", "YY", "Z"}}),
             "plant.mtg: there is no feature 'Z'; expected features with the coordinates (XX, YY, Z) and diameters of "
             "entities");
-  EXPECT_NE(fault(kForked, {.diameter = "TopDai"}).find("did you mean 'TopDia'?"), std::string::npos);
-  EXPECT_EQ(fault("/P1/A1\n^/S1\t\t0\t0\n"),
+  EXPECT_NE(error(kForked, {.diameter = "TopDai"}).find("did you mean 'TopDia'?"), std::string::npos);
+  EXPECT_EQ(error("/P1/A1\n^/S1\t\t0\t0\n"),
             "plant.mtg:14: S1 has no coordinates; expected XX, YY, ZZ of the first entity "
             "of a plant");
-  EXPECT_EQ(fault("/P1/A1\n^/S1\t\t0\t0\t1e300\n"),
+  EXPECT_EQ(error("/P1/A1\n^/S1\t\t0\t0\t1e300\n"),
             "plant.mtg:14:11: '1e300', the ZZ of S1, is out of range; expected a number from -3.4e+38 to 3.4e+38");
-  EXPECT_EQ(fault("/P1/A1\n^/S1\t\t0\t0\t1e7\n"),
+  EXPECT_EQ(error("/P1/A1\n^/S1\t\t0\t0\t1e7\n"),
             "plant.mtg:14: S1 is too far away; expected coordinates within 1000000 m");
-  EXPECT_EQ(fault("/P1/A1\n^/S1\t\t0\t0\t1\t-2\n"),
+  EXPECT_EQ(error("/P1/A1\n^/S1\t\t0\t0\t1\t-2\n"),
             "plant.mtg:14: S1 has a diameter of -2 m; expected one from 0 to 2000 m");
   EXPECT_THROW(read(kForked, {.length_unit = 0}), std::invalid_argument);
 }

@@ -49,7 +49,7 @@ std::string joints(const MtgTree& tree) {
 }
 
 /// Returns the message of the only error.
-std::string fault(const std::string& text) {
+std::string error(const std::string& text) {
   try {
     read_mtg(text, "plant.mtg", {});
   } catch (const InputError& error) {
@@ -59,8 +59,8 @@ std::string fault(const std::string& text) {
   return "no fault";
 }
 
-void expect_fault(const std::string& codes, const std::string& message) {
-  const std::string found = fault(kHeader + codes);
+void expect_error(const std::string& codes, const std::string& message) {
+  const std::string found = error(kHeader + codes);
   EXPECT_TRUE(found.starts_with("plant.mtg:" + message)) << found;
 }
 
@@ -163,21 +163,21 @@ TEST(Mtg, CarriageReturnsCommentsBlanksAndMarksDoNotMatter) {
 }
 
 TEST(Mtg, FaultsInCodesHaveTheirPlace) {
-  expect_fault("/P1/A1\n^/Sx1\n", "19:3: 'Sx' is not a class; expected one that CLASSES declares");
-  expect_fault("/P1/A1\n\t^/S1\n", "19:2: there is no entity above in this column");
-  expect_fault("/P1/S1\n", "18:4: S of scale 3 cannot follow P1 of scale 1; expected '/' and an entity of scale 2");
-  expect_fault("/P1/A1<S1\n", "18:7: S of scale 3 cannot follow A1 of scale 2");
-  expect_fault("/P1/A1!\n", "18:7: '!' does not say how it is joined; expected one of '/', '<', '+', '<<', '++'");
-  expect_fault("/P1/A1/\n", "18:8: a label is missing behind '/'");
-  expect_fault("/P1/A1/S3<<S3\n", "18:10: '<<' cannot lead from S3 to S3");
-  expect_fault("/P1/A1<<S3\n", "18:7: '<<' cannot lead from A1 to S3");
-  expect_fault("/P1/A99999999999\n", "18:6: the number '99999999999' is too large; expected at most 2147483647");
-  expect_fault("/P1/A1/S1\t\t\t\tfoot\n(fot)<S2\n",
+  expect_error("/P1/A1\n^/Sx1\n", "19:3: 'Sx' is not a class; expected one that CLASSES declares");
+  expect_error("/P1/A1\n\t^/S1\n", "19:2: there is no entity above in this column");
+  expect_error("/P1/S1\n", "18:4: S of scale 3 cannot follow P1 of scale 1; expected '/' and an entity of scale 2");
+  expect_error("/P1/A1<S1\n", "18:7: S of scale 3 cannot follow A1 of scale 2");
+  expect_error("/P1/A1!\n", "18:7: '!' does not say how it is joined; expected one of '/', '<', '+', '<<', '++'");
+  expect_error("/P1/A1/\n", "18:8: a label is missing behind '/'");
+  expect_error("/P1/A1/S3<<S3\n", "18:10: '<<' cannot lead from S3 to S3");
+  expect_error("/P1/A1<<S3\n", "18:7: '<<' cannot lead from A1 to S3");
+  expect_error("/P1/A99999999999\n", "18:6: the number '99999999999' is too large; expected at most 2147483647");
+  expect_error("/P1/A1/S1\t\t\t\tfoot\n(fot)<S2\n",
                "19:1: 'fot' is not an alias; expected the value of a feature Alias "
                "before it; did you mean 'foot'?");
-  expect_fault("/P1\t\t\t\t\ttwo\n", "18:9: 'two' cannot be the Length of P1; expected a number or nothing");
-  expect_fault("/P1\t\t\t\t\tnan\n", "18:9: 'nan' cannot be the Length of P1");
-  expect_fault("/P1\n\t\t\t\t\t3\n",
+  expect_error("/P1\t\t\t\t\ttwo\n", "18:9: 'two' cannot be the Length of P1; expected a number or nothing");
+  expect_error("/P1\t\t\t\t\tnan\n", "18:9: 'nan' cannot be the Length of P1");
+  expect_error("/P1\n\t\t\t\t\t3\n",
                "19:6: values without an entity; expected the code of an entity in one of the first "
                "4 columns");
 }
@@ -186,7 +186,7 @@ TEST(Mtg, FaultsInHeadersHaveTheirPlace) {
   const auto changed = [](const std::string& from, const std::string& to) {
     std::string text = std::string(kHeader) + "/P1\n";
     text.replace(text.find(from), from.size(), to);
-    return fault(text);
+    return error(text);
   };
   EXPECT_EQ(changed("FORM-A", "FORM-B"), "plant.mtg:1:7: 'FORM-B' is not a form that can be read; expected FORM-A");
   EXPECT_EQ(
@@ -211,10 +211,10 @@ TEST(Mtg, FaultsInHeadersHaveTheirPlace) {
       changed("ENTITY-CODE", "ENTITY-COD"),
       "plant.mtg:17:1: 'ENTITY-COD' does not begin a line of columns; expected ENTITY-CODE or TOPO, and the names "
       "of features; did you mean 'ENTITY-CODE'?");
-  EXPECT_EQ(fault("CODE: FORM-A\nCLASSES:\n"),
+  EXPECT_EQ(error("CODE: FORM-A\nCLASSES:\n"),
             "plant.mtg:2:1: the file ends without entities; expected a section that begins with MTG:");
   EXPECT_EQ(
-      fault("MTG:\n"),
+      error("MTG:\n"),
       "plant.mtg:1:1: the file ends before its entities; expected ENTITY-CODE or TOPO, and the names of features");
 }
 
@@ -231,14 +231,14 @@ TEST(Mtg, AllFaultsAreToldUpToTheLimit) {
 }
 
 TEST(Mtg, EntitiesAreLimitedBeforeTheyAreMade) {
-  expect_fault("/P1/A1/S1<<S2000000000\n",
+  expect_error("/P1/A1/S1<<S2000000000\n",
                "18:10: 2000000003 entities are too many; expected at most 20000000 (limits.nodes)");
   EXPECT_THROW(read_mtg(std::string(kHeader) + "/P1/A1/S1\n", "plant.mtg", {.nodes = 3}), InputError);
 }
 
 TEST(Mtg, ColumnsOfFaultsCountCharacters) {
-  expect_fault("\xC3\xA9t\xC3\xA9\n", "18:1: ");
-  expect_fault("/P1\t\t\t\t\xC3\xA9t\xC3\xA9\tx\n", "18:12: 'x' cannot be the Length");
+  expect_error("\xC3\xA9t\xC3\xA9\n", "18:1: ");
+  expect_error("/P1\t\t\t\t\xC3\xA9t\xC3\xA9\tx\n", "18:12: 'x' cannot be the Length");
 }
 
 struct DatedFacts {

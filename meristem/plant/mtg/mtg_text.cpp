@@ -70,23 +70,23 @@ bool MtgLines::next(MtgLine& line) {
   return false;
 }
 
-void MtgFaults::add(const MtgLine& line, std::size_t offset, Diagnostic diagnostic) {
+void MtgErrors::add(const MtgLine& line, std::size_t offset, Diagnostic diagnostic) {
   const std::string_view before = line.text.substr(0, offset);
   const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   diagnostic.file = file_;
   diagnostic.line = static_cast<int>(line.number);
   diagnostic.column = 1 + static_cast<int>(std::count_if(before.begin(), before.end(), begins_character));
-  faults_.push_back(std::move(diagnostic));
-  if (faults_.size() >= most_) throw InputError(faults_);
+  errors_.push_back(std::move(diagnostic));
+  if (errors_.size() >= max_) throw InputError(errors_);
 }
 
-void MtgFaults::fail(const MtgLine& line, std::size_t offset, Diagnostic diagnostic) {
+void MtgErrors::fail(const MtgLine& line, std::size_t offset, Diagnostic diagnostic) {
   add(line, offset, std::move(diagnostic));
-  throw InputError(faults_);
+  throw InputError(errors_);
 }
 
-void MtgFaults::throw_if_any() const {
-  if (!faults_.empty()) throw InputError(faults_);
+void MtgErrors::throw_if_any() const {
+  if (!errors_.empty()) throw InputError(errors_);
 }
 
 std::string shown(std::string_view text) {

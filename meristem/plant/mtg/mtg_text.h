@@ -44,9 +44,9 @@ class MtgLines {
 };
 
 /// Collects errors, and throws them if there are too many.
-class MtgFaults {
+class MtgErrors {
  public:
-  MtgFaults(std::string file, std::uint64_t most) : file_(std::move(file)), most_(most) {}
+  MtgErrors(std::string file, std::uint64_t max) : file_(std::move(file)), max_(max) {}
 
   /// Adds an error at byte `offset` of a line. The diagnostic must not yet have file, line or column.
   void add(const MtgLine& line, std::size_t offset, Diagnostic diagnostic);
@@ -56,8 +56,8 @@ class MtgFaults {
 
  private:
   std::string file_;
-  std::uint64_t most_;
-  std::vector<Diagnostic> faults_;
+  std::uint64_t max_;
+  std::vector<Diagnostic> errors_;
 };
 
 /// Returns a text as messages show it, shortened if it is long.

@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = 0xffffffffU;
 constexpr double kFilled = 0.3;
-constexpr int kMostMisses = 40;  // consecutive failed trials before the spacing shrinks
+constexpr int kMaxMisses = 40;  // consecutive failed trials before the spacing shrinks
 constexpr float kShrink = 0.97F;
-constexpr std::size_t kLeastBatch = 256;
-constexpr std::size_t kMostBatch = 1U << 16;
+constexpr std::size_t kMinBatch = 256;
+constexpr std::size_t kMaxBatch = 1U << 16;
 
 /// The 27 cells around a point, nearest first: its own cell, then those that share a side, an edge and a corner with
 /// it.
@@ -60,7 +60,7 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
   int misses = 0;
   while (kept < count) {
     darts.clear();
-    if (!sampler.append(std::clamp<std::size_t>(2 * (count - kept), kLeastBatch, kMostBatch), progress, darts)) {
+    if (!sampler.append(std::clamp<std::size_t>(2 * (count - kept), kMinBatch, kMaxBatch), progress, darts)) {
       return false;
     }
     if (kept == 0 && misses == 0) {
@@ -75,7 +75,7 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
         points.push_back(dart);
         ++kept;
         misses = 0;
-      } else if (++misses == kMostMisses) {
+      } else if (++misses == kMaxMisses) {
         present_spacing_ *= kShrink;
         misses = 1;
       }

@@ -211,7 +211,7 @@ TEST(CrownPoints, CancelWhenAsked) {
   EXPECT_THROW(sample_crown(kRoundCrown, 100'000, RandomKey(1), progress), Cancelled);
 }
 
-Diagnostic fault(const Crown& crown, const PointDistribution& distribution) {
+Diagnostic error(const Crown& crown, const PointDistribution& distribution) {
   try {
     place(crown, distribution);
   } catch (const InputError& error) {
@@ -226,36 +226,36 @@ TEST(CrownPoints, EmptyCrownsAndZonesAreRejectedAtTheirPlace) {
   const CombinedCrown nothing(CombineKind::subtract, {ball(0), ball(0)});
   for (const Crown* crown : {static_cast<const Crown*>(&apart), static_cast<const Crown*>(&nothing)}) {
     EXPECT_FALSE(is_fillable(*crown));
-    EXPECT_EQ(fault(*crown, {.count = 10}).path, "crown");
-    EXPECT_EQ(fault(*crown, {.count = 10, .blue_noise = true}).path, "crown");
+    EXPECT_EQ(error(*crown, {.count = 10}).path, "crown");
+    EXPECT_EQ(error(*crown, {.count = 10, .blue_noise = true}).path, "crown");
     EXPECT_TRUE(place(*crown, {.count = 0}).empty());
   }
   const ConeCrown cone(Vec3(0), 1, 1);
   EXPECT_TRUE(is_fillable(cone));
   const PointDistribution tip{.count = 10, .shares = {{.share = 0.1}, {.share = 0.5, .zone = {.above = 0.999}}}};
-  EXPECT_EQ(fault(cone, tip).path, "points.shares[1]");
+  EXPECT_EQ(error(cone, tip).path, "points.shares[1]");
 }
 
 // Returns the mean and the smallest distance to the nearest neighbour.
 std::array<double, 2> neighbour_distances(const std::vector<Vec3>& points) {
   double sum = 0;
-  double least = 1e9;
+  double min = 1e9;
   for (std::size_t a = 0; a < points.size(); ++a) {
     double nearest = 1e9;
     for (std::size_t b = 0; b < points.size(); ++b) {
       if (a != b) nearest = std::min(nearest, glm::length(DVec3(points[a]) - DVec3(points[b])));
     }
     sum += nearest;
-    least = std::min(least, nearest);
+    min = std::min(min, nearest);
   }
-  return {sum / static_cast<double>(points.size()), least};
+  return {sum / static_cast<double>(points.size()), min};
 }
 
 TEST(BlueNoise, NeighboursKeepTheirDistance) {
-  const auto [random_mean, random_least] = neighbour_distances(place(kRoundCrown, {.count = 3000}));
-  const auto [mean, least] = neighbour_distances(place(kRoundCrown, {.count = 3000, .blue_noise = true}));
-  EXPECT_LT(random_least / random_mean, 0.2);
-  EXPECT_GT(least / mean, 0.75);
+  const auto [random_mean, random_min] = neighbour_distances(place(kRoundCrown, {.count = 3000}));
+  const auto [mean, min] = neighbour_distances(place(kRoundCrown, {.count = 3000, .blue_noise = true}));
+  EXPECT_LT(random_min / random_mean, 0.2);
+  EXPECT_GT(min / mean, 0.75);
   EXPECT_GT(mean, 1.35 * random_mean);
 }
 

@@ -12,7 +12,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kTrialsPerBlock = 4096;
-constexpr std::size_t kMostTrials = 1U << 20;  // trials in one parallel loop
+constexpr std::size_t kMaxTrials = 1U << 20;  // trials in one parallel loop
 constexpr std::uint64_t kCheckTrials = 1U << 16;
 constexpr std::uint64_t kCheckHits = 32;
 // During growth, a crown fails only if it is much emptier than the check allows. A crown that passes the check
@@ -63,10 +63,10 @@ bool CrownSampler::append(std::size_t count, Progress& progress, std::vector<Vec
     if (count == 0) break;
 
     // Estimate the number of trials for the remaining points from the trials so far.
-    if (box_.is_empty() || (trials_ >= kMostTrials && accepted_ < trials_ / kTrialsPerHit)) return false;
+    if (box_.is_empty() || (trials_ >= kMaxTrials && accepted_ < trials_ / kTrialsPerHit)) return false;
     const double fill = static_cast<double>(accepted_ + 1) / static_cast<double>(trials_ + 2);
     const double wanted = 1.05 * static_cast<double>(count) / fill;
-    make_trials(wanted < kMostTrials ? static_cast<std::size_t>(wanted) + 1 : kMostTrials, progress);
+    make_trials(wanted < kMaxTrials ? static_cast<std::size_t>(wanted) + 1 : kMaxTrials, progress);
   }
   return true;
 }

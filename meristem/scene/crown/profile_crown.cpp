@@ -33,7 +33,7 @@ double radius_on(const Curve& side, double height) {
 
 /// Returns an upper bound of a spline. A cubic piece stays below its largest Bézier control value. Each piece is
 /// divided into eight, so that the bound is close.
-double greatest(const Curve& curve) {
+double max(const Curve& curve) {
   constexpr int kParts = 8;
   double bound = 0;
   for (std::size_t k = 0; k + 1 < curve.points().size(); ++k) {
@@ -72,7 +72,7 @@ ProfileCrown::ProfileCrown(const Sides& sides) {
     const Curve& radius = sides_[k].radius;
     lowest_ = std::min(lowest_, double{radius.points().front().x});
     highest_ = std::max(highest_, double{radius.points().back().x});
-    reach_ = std::max(reach_, greatest(radius));
+    reach_ = std::max(reach_, max(radius));
   }
 }
 
@@ -106,16 +106,16 @@ double ProfileCrown::distance(Vec3 point) const {
   const glm::dvec2 at(std::sqrt(x * x + z * z), point.y);
   const double azimuth = sides_.size() == 1 ? 0 : math::atan2(x, -z);
   const double piece = (highest_ - lowest_) / kPieces;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   glm::dvec2 last(0, lowest_);
   for (int k = 0; k <= kPieces; ++k) {
     const double height = k == kPieces ? highest_ : lowest_ + k * piece;
     const glm::dvec2 next(radius_at(height, azimuth), height);
-    least = std::min(least, squared_distance_to_line(at, last, next));
+    min = std::min(min, squared_distance_to_line(at, last, next));
     last = next;
   }
-  least = std::min(least, squared_distance_to_line(at, last, {0, highest_}));
-  return contains(point) ? -std::sqrt(least) : std::sqrt(least);
+  min = std::min(min, squared_distance_to_line(at, last, {0, highest_}));
+  return contains(point) ? -std::sqrt(min) : std::sqrt(min);
 }
 
 Box ProfileCrown::bounds() const {

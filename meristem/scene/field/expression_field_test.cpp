@@ -12,7 +12,7 @@ ExpressionField field_of(std::array<const char*, 3> texts, ExpressionField::Opti
   return ExpressionField({compile(texts[0]), compile(texts[1]), compile(texts[2])}, std::move(options));
 }
 
-Diagnostic fault_at(const ExpressionField& field, Vec3 position) {
+Diagnostic error_at(const ExpressionField& field, Vec3 position) {
   try {
     field.at(position);
   } catch (const InputError& error) {
@@ -31,19 +31,19 @@ TEST(ExpressionField, SeesPositionAndTime) {
 TEST(ExpressionField, TellsWhereItIsNotFinite) {
   const ExpressionField field =
       field_of({"1", "1/(y - 2)", "0"}, {.path = "components.w.light", .what = "light field"});
-  const Diagnostic fault = fault_at(field, {1, 2, 0.5F});
-  EXPECT_EQ(fault.path, "components.w.light.y");
-  EXPECT_EQ(fault.message, "the y of the light field is inf at (1, 2, 0.5)");
-  EXPECT_FALSE(fault_at(field_of({"log(x)", "0", "0"}), {-1, 0, 0}).message.empty());
-  EXPECT_FALSE(fault_at(field_of({"10^9", "0", "0"}), {0, 0, 0}).message.empty());
+  const Diagnostic error = error_at(field, {1, 2, 0.5F});
+  EXPECT_EQ(error.path, "components.w.light.y");
+  EXPECT_EQ(error.message, "the y of the light field is inf at (1, 2, 0.5)");
+  EXPECT_FALSE(error_at(field_of({"log(x)", "0", "0"}), {-1, 0, 0}).message.empty());
+  EXPECT_FALSE(error_at(field_of({"10^9", "0", "0"}), {0, 0, 0}).message.empty());
 }
 
 TEST(ExpressionField, TellsWhereItVanishesUnlessItAdds) {
   const ExpressionField::Options options{.path = "components.w.gravity", .what = "gravity field"};
-  const Diagnostic fault = fault_at(field_of({"-x", "0", "-z"}, options), {0, 3, 0});
-  EXPECT_EQ(fault.path, "components.w.gravity");
-  EXPECT_EQ(fault.message, "the gravity field vanishes at (0, 3, 0)");
-  EXPECT_NE(fault.expected.find("\"add\""), std::string::npos);
+  const Diagnostic error = error_at(field_of({"-x", "0", "-z"}, options), {0, 3, 0});
+  EXPECT_EQ(error.path, "components.w.gravity");
+  EXPECT_EQ(error.message, "the gravity field vanishes at (0, 3, 0)");
+  EXPECT_NE(error.expected.find("\"add\""), std::string::npos);
   EXPECT_EQ(field_of({"-x", "0", "-z"}, {.must_point = false}).at({0, 3, 0}), Vec3(0));
 }
 

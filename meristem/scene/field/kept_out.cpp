@@ -36,11 +36,11 @@ Vec3 KeptOut::open_heading(const Section& section) const {
   if (away >= near) return section.heading;
   const Vec3 out = outward(section.position);
   const double wanted = glm::dot(section.heading, out);
-  const double least = std::min(1.0, -away / near);
-  if (wanted >= least) return section.heading;
+  const double min = std::min(1.0, -away / near);
+  if (wanted >= min) return section.heading;
   // Take the nearest direction that rises enough, in the plane of the heading and the outward direction.
   const Vec3 along = normalized_or(section.heading - static_cast<float>(wanted) * out, any_perpendicular(out));
-  return glm::normalize(static_cast<float>(std::sqrt(1 - least * least)) * along + static_cast<float>(least) * out);
+  return glm::normalize(static_cast<float>(std::sqrt(1 - min * min)) * along + static_cast<float>(min) * out);
 }
 
 }  // namespace meristem

@@ -20,7 +20,7 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 // Larger numbers are rejected, so sums and products cannot overflow.
-constexpr std::uint64_t kMostWhole = std::uint64_t{1} << 40;
+constexpr std::uint64_t kMaxWhole = std::uint64_t{1} << 40;
 
 /// Returns true for extensions that do not change the positions of triangles, or only the type of the stored numbers.
 bool is_harmless(const std::string& extension) {
@@ -40,7 +40,7 @@ T read_as(const char* bytes) {
 
 double GltfNumbers::number(std::uint64_t element, std::uint64_t component) const {
   const char* at = begin + element * stride + component * type_bytes;
-  const auto whole = [this](double value, double most) { return is_normalized ? std::max(value / most, -1.0) : value; };
+  const auto whole = [this](double value, double max) { return is_normalized ? std::max(value / max, -1.0) : value; };
   switch (type) {
     case kGltfInt8:
       return whole(read_as<std::int8_t>(at), 127);
@@ -143,8 +143,8 @@ std::optional<std::uint64_t> GlbFile::whole(const Json& object, const char* key,
 }
 
 std::uint64_t GlbFile::as_whole(const Json& value, const std::string& what, const std::string& place) const {
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostWhole) {
-    fail(place, what + " is not a whole number of at least 0, or is too large", fmt::format("0 to {}", kMostWhole));
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMaxWhole) {
+    fail(place, what + " is not a whole number of at least 0, or is too large", fmt::format("0 to {}", kMaxWhole));
   }
   return value.get<std::uint64_t>();
 }

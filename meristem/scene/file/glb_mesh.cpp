@@ -26,7 +26,7 @@ namespace {
 
 using Json = GlbFile::Json;
 
-constexpr std::uint64_t kMostVertices = 4294967295;
+constexpr std::uint64_t kMaxVertices = 4294967295;
 
 // Modes of primitives with triangles. Smaller values are points and lines.
 constexpr std::uint64_t kTriangles = 4;
@@ -118,8 +118,8 @@ class SceneReader {
     const std::uint64_t corners = indices ? indices->count : positions.count;
     const std::uint64_t triangles = mode == kTriangles ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
     check_limit("triangles of a file", mesh_.triangles.size() + triangles, limits_.triangles, "triangles");
-    const std::uint64_t most_vertices = std::min(kMostVertices, 3 * std::min(limits_.triangles, kMostVertices));
-    check_limit("vertices of a file", mesh_.positions.size() + positions.count, most_vertices, "triangles");
+    const std::uint64_t max_vertices = std::min(kMaxVertices, 3 * std::min(limits_.triangles, kMaxVertices));
+    check_limit("vertices of a file", mesh_.positions.size() + positions.count, max_vertices, "triangles");
 
     const std::uint64_t first = mesh_.positions.size();
     add_positions(positions, placed, place);
@@ -179,9 +179,9 @@ class SceneReader {
       }
       for (int axis = 0; axis < 3; ++axis) {
         if (kFileCoordinate.holds(position[axis])) continue;
-        const Diagnostic fault =
-            number_fault(fmt::format("the coordinate {:.6g} of vertex {}", position[axis], k), kFileCoordinate);
-        glb_.fail(place, fault.message, fault.expected);
+        const Diagnostic error =
+            number_error(fmt::format("the coordinate {:.6g} of vertex {}", position[axis], k), kFileCoordinate);
+        glb_.fail(place, error.message, error.expected);
       }
       mesh_.positions.push_back(position);
     }

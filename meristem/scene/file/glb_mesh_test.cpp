@@ -71,7 +71,7 @@ const TriangleMesh& box() {
 
 TriangleMesh parse(const std::string& bytes, const Limits& limits = {}) { return parse_mesh(bytes, "body", limits); }
 
-std::string fault(const std::string& bytes, const Limits& limits = {}) {
+std::string error(const std::string& bytes, const Limits& limits = {}) {
   try {
     parse(bytes, limits);
   } catch (const InputError& error) {
@@ -85,11 +85,11 @@ std::string box_glb(const std::string& nodes = kOneNode, const std::string& root
 }
 
 // Returns the error message for the box's JSON with one part replaced.
-std::string fault_with(const std::string& part, const std::string& otherwise, const Limits& limits = {}) {
+std::string error_with(const std::string& part, const std::string& otherwise, const Limits& limits = {}) {
   std::string json = box_json(5123, 2);
   const std::size_t at = json.find(part);
   if (at == std::string::npos) return "no such part";
-  return fault(glb(json.replace(at, part.size(), otherwise), data_of<std::uint16_t>(box())), limits);
+  return error(glb(json.replace(at, part.size(), otherwise), data_of<std::uint16_t>(box())), limits);
 }
 
 TEST(GlbMesh, TakesEveryTypeOfIndex) {
@@ -98,7 +98,7 @@ TEST(GlbMesh, TakesEveryTypeOfIndex) {
     const TriangleMesh mesh = parse(bytes);
     EXPECT_EQ(mesh.positions, box().positions);
     EXPECT_EQ(mesh.triangles, box().triangles);
-    EXPECT_TRUE(closedness_faults(mesh).empty());
+    EXPECT_TRUE(closedness_errors(mesh).empty());
   }
 }
 
@@ -113,7 +113,7 @@ TEST(GlbMesh, NodesPlaceTheirMeshes) {
   // (x, y, z) is mapped to (10 + 2 z, 2 y, -2 x).
   EXPECT_LT(glm::distance(mesh.positions[7], DVec3(16, 4, -2)), 1e-12);
   EXPECT_LT(glm::distance(mesh.positions[15], DVec3(-1, 2, -17)), 1e-12);
-  EXPECT_TRUE(closedness_faults(mesh).empty());
+  EXPECT_TRUE(closedness_errors(mesh).empty());
   const ClosedMesh closed(mesh);
   EXPECT_EQ(closed.winding_number({13, 2, -1}), 1);
   EXPECT_EQ(closed.winding_number({-0.5, 1, -18}), 1);
@@ -156,89 +156,89 @@ TEST(GlbMesh, TakesInterleavedAndNormalizedNumbers) {
 }
 
 TEST(GlbMesh, WhatIsPromisedMustBeThere) {
-  EXPECT_EQ(fault_with(R"("count": 36)", R"("count": 1000000000)"),
+  EXPECT_EQ(error_with(R"("count": 36)", R"("count": 1000000000)"),
             "body: accessors[1]: 1000000000 elements are declared, but the view has room for 36; expected elements "
             "that the file holds");
-  EXPECT_EQ(fault_with(R"("byteLength": 72)", R"("byteLength": 4000000000)"),
+  EXPECT_EQ(error_with(R"("byteLength": 72)", R"("byteLength": 4000000000)"),
             "body: bufferViews[1]: the view ends at byte 4000000096 of 168; expected a view within the binary chunk");
   EXPECT_EQ(
-      fault_with(R"("count": 36)", R"("count": -3)"),
+      error_with(R"("count": 36)", R"("count": -3)"),
       "body: accessors[1]: 'count' is not a whole number of at least 0, or is too large; expected 0 to 1099511627776");
-  EXPECT_EQ(fault_with(R"("count": 36)", R"("count": 1e999)"),
+  EXPECT_EQ(error_with(R"("count": 36)", R"("count": 1e999)"),
             "body: the JSON of the file has a number too large; expected finite numbers");
-  EXPECT_EQ(fault_with(R"("byteLength": 96)", R"("byteLength": 96, "byteStride": 4)"),
+  EXPECT_EQ(error_with(R"("byteLength": 96)", R"("byteLength": 96, "byteStride": 4)"),
             "body: bufferViews[0]: the 'byteStride' 4 is too small; expected at least 12");
-  EXPECT_EQ(fault_with(R"("mesh": 0)", R"("mesh": 5)"), "body: nodes[0]: there is no meshes[5]; expected fewer than 1");
-  EXPECT_EQ(fault_with(R"("bufferView": 1)", R"("bufferView": 2)"),
+  EXPECT_EQ(error_with(R"("mesh": 0)", R"("mesh": 5)"), "body: nodes[0]: there is no meshes[5]; expected fewer than 1");
+  EXPECT_EQ(error_with(R"("bufferView": 1)", R"("bufferView": 2)"),
             "body: accessors[1]: there is no bufferViews[2]; expected fewer than 2");
-  EXPECT_EQ(fault_with(R"([{"mesh": 0}])", "[7]"), "body: nodes[0]: this is not an object; expected an object");
+  EXPECT_EQ(error_with(R"([{"mesh": 0}])", "[7]"), "body: nodes[0]: this is not an object; expected an object");
 
   TriangleMesh wrong = box();
   wrong.triangles[4][1] = 8;
-  EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
+  EXPECT_EQ(error(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
             "body: meshes[0].primitives[0]: index 13: there is no vertex 8; expected fewer than 8");
   wrong = box();
   wrong.positions[3].y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
+  EXPECT_EQ(error(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
             "body: meshes[0].primitives[0]: vertex 3 has a coordinate that is not finite; expected finite numbers");
   EXPECT_EQ(
-      fault(box_glb(R"([{"mesh": 0, "scale": [1e308, 1e308, 1e308]}])")),
+      error(box_glb(R"([{"mesh": 0, "scale": [1e308, 1e308, 1e308]}])")),
       "body: meshes[0].primitives[0]: the coordinate 1e+308 of vertex 1 is out of range; expected a coordinate from "
       "-1e+12 to 1e+12");
 }
 
 TEST(GlbMesh, WhatCannotBeReadIsSaid) {
-  EXPECT_EQ(fault_with(R"("scene": 0)", R"("extensionsRequired": ["KHR_draco_mesh_compression"])"),
+  EXPECT_EQ(error_with(R"("scene": 0)", R"("extensionsRequired": ["KHR_draco_mesh_compression"])"),
             "body: the file cannot be read without the extension 'KHR_draco_mesh_compression'; expected a file without "
             "compression and instancing");
-  EXPECT_EQ(fault_with(R"("bufferView": 0, )", ""),
+  EXPECT_EQ(error_with(R"("bufferView": 0, )", ""),
             "body: accessors[0]: the numbers are compressed or left out; expected a 'bufferView' in the file itself");
-  EXPECT_EQ(fault_with(R"("bufferView": 0, )", R"("bufferView": 0, "sparse": {}, )"),
+  EXPECT_EQ(error_with(R"("bufferView": 0, )", R"("bufferView": 0, "sparse": {}, )"),
             "body: accessors[0]: the numbers are sparse; expected plain numbers");
   EXPECT_EQ(
-      fault_with(R"("buffers": [{)", R"("buffers": [{"uri": "other.bin", )"),
+      error_with(R"("buffers": [{)", R"("buffers": [{"uri": "other.bin", )"),
       "body: buffers[0]: the bytes are not in the file's own binary chunk; expected a binary glTF with all of its "
       "data");
   EXPECT_EQ(
-      fault_with(R"("componentType": 5123)", R"("componentType": 5122)"),
+      error_with(R"("componentType": 5123)", R"("componentType": 5122)"),
       "body: accessors[1]: indices are neither negative nor fractions; expected the 'componentType' 5121, 5123 or "
       "5125");
-  EXPECT_EQ(fault_with(R"({"POSITION": 0})", "{}"),
+  EXPECT_EQ(error_with(R"({"POSITION": 0})", "{}"),
             "body: meshes[0].primitives[0]: the primitive has no positions; expected the attribute 'POSITION'");
-  EXPECT_EQ(fault_with(R"("mesh": 0)", R"("mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {}})"),
+  EXPECT_EQ(error_with(R"("mesh": 0)", R"("mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {}})"),
             "body: nodes[0]: the mesh is placed by the extension 'EXT_mesh_gpu_instancing'; expected a node for each "
             "instance");
-  EXPECT_EQ(fault_with(R"("mesh": 0)", R"("children": [0])"),
+  EXPECT_EQ(error_with(R"("mesh": 0)", R"("children": [0])"),
             "body: nodes[0]: nodes[0] has two parents; expected a tree of nodes");
-  EXPECT_EQ(fault_with(R"("mesh": 0)", R"("name": "empty")"),
+  EXPECT_EQ(error_with(R"("mesh": 0)", R"("name": "empty")"),
             "body: the file has no faces; expected an OBJ, PLY or GLB file with faces");
 }
 
 TEST(GlbMesh, CutOffFilesAreSaidToBe) {
   const std::string whole = box_glb();
   for (std::size_t size = 4; size < whole.size(); ++size) {
-    const std::string said = fault(whole.substr(0, size));
+    const std::string said = error(whole.substr(0, size));
     ASSERT_NE(said.find("cut off"), std::string::npos) << size << ": " << said;
   }
   std::string old = whole;
   old[4] = 1;
-  EXPECT_EQ(fault(old), "body: the file is of glTF version 1; expected version 2");
-  EXPECT_EQ(fault(glb("{\"asset\": ", "")), "body: the JSON of the file is broken at its byte 13; expected valid JSON");
-  EXPECT_EQ(fault(glb(std::string(1'000'000, '['), "")).substr(0, 37), "body: the JSON of the file is broken ");
+  EXPECT_EQ(error(old), "body: the file is of glTF version 1; expected version 2");
+  EXPECT_EQ(error(glb("{\"asset\": ", "")), "body: the JSON of the file is broken at its byte 13; expected valid JSON");
+  EXPECT_EQ(error(glb(std::string(1'000'000, '['), "")).substr(0, 37), "body: the JSON of the file is broken ");
 }
 
 TEST(GlbMesh, LimitsBoundWhatItMakes) {
   Limits limits;
   limits.triangles = 11;
-  EXPECT_EQ(fault(box_glb(), limits),
+  EXPECT_EQ(error(box_glb(), limits),
             "body: 12 triangles of a file are too many; expected at most 11 (limits.triangles)");
   limits = {};
   limits.instances = 1;
-  EXPECT_EQ(fault(box_glb(R"([{"mesh": 0}, {"mesh": 0}])", "[0, 1]"), limits),
+  EXPECT_EQ(error(box_glb(R"([{"mesh": 0}, {"mesh": 0}])", "[0, 1]"), limits),
             "body: 2 placed parts of a file are too many; expected at most 1 (limits.instances)");
   limits = {};
   limits.document_bytes = 100;
-  EXPECT_EQ(fault(box_glb(), limits).substr(0, 30), "body: the JSON of the file has");
+  EXPECT_EQ(error(box_glb(), limits).substr(0, 30), "body: the JSON of the file has");
 }
 
 }  // namespace meristem::glb_mesh_test

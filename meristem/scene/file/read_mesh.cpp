@@ -48,9 +48,8 @@ class ObjReader {
       if (keyword == "v") read_vertex();
       if (keyword == "f") read_face();
     } while (text_.next_line());
-    if (greatest_ >= mesh_.positions.size() && !mesh_.triangles.empty()) {
-      greatest_at_.fail(fmt::format("there is no vertex {}", greatest_ + 1),
-                        fmt::format("at most {}", mesh_.positions.size()));
+    if (max_ >= mesh_.positions.size() && !mesh_.triangles.empty()) {
+      max_at_.fail(fmt::format("there is no vertex {}", max_ + 1), fmt::format("at most {}", mesh_.positions.size()));
     }
     return std::move(mesh_);
   }
@@ -65,7 +64,7 @@ class ObjReader {
       if (!number || !std::isfinite(*number)) {
         text_.fail(fmt::format("{} is not a finite number", in_quotes(word)), "a coordinate");
       }
-      if (!kFileCoordinate.holds(*number)) text_.fail(number_fault(in_quotes(word), kFileCoordinate));
+      if (!kFileCoordinate.holds(*number)) text_.fail(number_error(in_quotes(word), kFileCoordinate));
       position[k] = *number;
     }
   }
@@ -91,9 +90,9 @@ class ObjReader {
     const auto count = static_cast<std::int64_t>(mesh_.positions.size());
     if (number < -count) text_.fail(fmt::format("there is no vertex {}", number), fmt::format("at least {}", -count));
     const auto index = static_cast<std::uint32_t>(number < 0 ? count + number : number - 1);
-    if (index >= greatest_) {
-      greatest_ = index;
-      greatest_at_ = text_;
+    if (index >= max_) {
+      max_ = index;
+      max_at_ = text_;
     }
     return index;
   }
@@ -104,8 +103,8 @@ class ObjReader {
   TriangleMesh mesh_;
   std::vector<std::uint32_t> corners_;
   // The largest index so far. It is checked at the end, because faces may come before their vertices.
-  std::uint32_t greatest_ = 0;
-  TextScanner greatest_at_ = text_;
+  std::uint32_t max_ = 0;
+  TextScanner max_at_ = text_;
 };
 
 TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Limits& limits) {
@@ -131,8 +130,8 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
         position[k] = row.values[columns[static_cast<std::size_t>(k)]];
         if (!std::isfinite(position[k])) ply.fail(element, row, "a coordinate is not a finite number", "a number");
         if (kFileCoordinate.holds(position[k])) continue;
-        const Diagnostic fault = number_fault(fmt::format("the coordinate {:.6g}", position[k]), kFileCoordinate);
-        ply.fail(element, row, fault.message, fault.expected);
+        const Diagnostic error = number_error(fmt::format("the coordinate {:.6g}", position[k]), kFileCoordinate);
+        ply.fail(element, row, error.message, error.expected);
       }
     } else if (&element == faces) {
       corners.clear();
@@ -170,16 +169,16 @@ TriangleMesh read_mesh(const std::string& path, const Limits& limits) {
 ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits) {
   const TriangleMesh mesh = read_mesh(path, limits);
   std::vector<Diagnostic> diagnostics;
-  for (std::string& fault : closedness_faults(mesh)) {
-    diagnostics.push_back({.message = std::move(fault),
+  for (std::string& error : closedness_errors(mesh)) {
+    diagnostics.push_back({.message = std::move(error),
                            .expected = "a closed mesh, in which every edge has a triangle on both sides",
                            .path = {},
                            .file = path});
   }
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
-  if (const std::string fault = body_fault(mesh); !fault.empty()) {
+  if (const std::string error = body_error(mesh); !error.empty()) {
     throw InputError(
-        Diagnostic{.message = "the mesh " + fault, .expected = "a closed mesh that faces outward", .file = path});
+        Diagnostic{.message = "the mesh " + error, .expected = "a closed mesh that faces outward", .file = path});
   }
   return ClosedMesh(mesh);
 }

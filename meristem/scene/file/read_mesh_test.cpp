@@ -14,7 +14,7 @@ TriangleMesh parse(std::string_view bytes, std::uint64_t limit = 100) {
   return parse_mesh(bytes, "body", limits);
 }
 
-std::string fault(std::string_view bytes) {
+std::string error(std::string_view bytes) {
   try {
     parse(bytes);
   } catch (const InputError& error) {
@@ -32,7 +32,7 @@ TEST(ReadMesh, ObjFacesTakeEveryFormOfCorner) {
   ASSERT_EQ(mesh.positions.size(), 4U);
   EXPECT_EQ(mesh.positions[3], DVec3(0, 0, 1));
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
-  EXPECT_TRUE(closedness_faults(mesh).empty());
+  EXPECT_TRUE(closedness_errors(mesh).empty());
 }
 
 TEST(ReadMesh, PolygonsBecomeFans) {
@@ -53,44 +53,44 @@ TEST(ReadMesh, ReadsPly) {
 }
 
 TEST(ReadMesh, EveryFaultHasItsPlace) {
-  EXPECT_EQ(fault("v 0 0\n"), "body:1:6: the vertex has fewer than three coordinates; expected v x y z");
-  EXPECT_EQ(fault("v 0 0 nan\n"), "body:1:7: 'nan' is not a finite number; expected a coordinate");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1\n"), "body:2:6: the face has fewer than three corners; expected f a b c");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 a\n"), "body:2:7: 'a' is not a vertex; expected a number from 1, or from -1 down");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 0\n"), "body:2:7: '0' is not a vertex; expected a number from 1, or from -1 down");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 -2\n"), "body:2:7: there is no vertex -2; expected at least -1");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1\nf 1 7 2\n"), "body:3:5: there is no vertex 7; expected at most 1");
-  EXPECT_EQ(fault("f 1 1 99999999999\n").substr(0, 34), "body:1:7: '99999999999' is not a v");
-  EXPECT_EQ(fault("v 0 0 0\n"), "body: the file has no faces; expected an OBJ, PLY or GLB file with faces");
+  EXPECT_EQ(error("v 0 0\n"), "body:1:6: the vertex has fewer than three coordinates; expected v x y z");
+  EXPECT_EQ(error("v 0 0 nan\n"), "body:1:7: 'nan' is not a finite number; expected a coordinate");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1\n"), "body:2:6: the face has fewer than three corners; expected f a b c");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 a\n"), "body:2:7: 'a' is not a vertex; expected a number from 1, or from -1 down");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 0\n"), "body:2:7: '0' is not a vertex; expected a number from 1, or from -1 down");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 -2\n"), "body:2:7: there is no vertex -2; expected at least -1");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 1\nf 1 7 2\n"), "body:3:5: there is no vertex 7; expected at most 1");
+  EXPECT_EQ(error("f 1 1 99999999999\n").substr(0, 34), "body:1:7: '99999999999' is not a v");
+  EXPECT_EQ(error("v 0 0 0\n"), "body: the file has no faces; expected an OBJ, PLY or GLB file with faces");
   EXPECT_THROW(parse("v 0 0 0\nf 1 1 1 1 1\n", 2), InputError);
 
   std::string text = kPly;
   text.replace(text.find("4 0 1 2 3"), 9, "4 0 1 2 4");
-  EXPECT_EQ(fault(text), "body:16: row 2 of 'face': there is no vertex 4; expected 0 to 3");
+  EXPECT_EQ(error(text), "body:16: row 2 of 'face': there is no vertex 4; expected 0 to 3");
   text.replace(text.find("4 0 1 2 4"), 9, "2 0 1    ");
-  EXPECT_EQ(fault(text), "body:16: row 2 of 'face': the face has fewer than three corners");
+  EXPECT_EQ(error(text), "body:16: row 2 of 'face': the face has fewer than three corners");
   text.replace(text.find("element face"), 12, "element fase");
-  EXPECT_EQ(fault(text), "body: the file has no element 'face'; expected the elements 'vertex' and 'face'");
+  EXPECT_EQ(error(text), "body: the file has no element 'face'; expected the elements 'vertex' and 'face'");
 }
 
 TEST(ReadMesh, WhatIsNoNumberOrPromisesTooMuchIsRefused) {
-  EXPECT_EQ(fault("v 0 -inf 0\n"), "body:1:5: '-inf' is not a finite number; expected a coordinate");
-  EXPECT_EQ(fault("v 0 0 1e308\n"), "body:1:7: '1e308' is out of range; expected a coordinate from -1e+12 to 1e+12");
-  EXPECT_EQ(fault("v 0 1e999 0\n"), "body:1:5: '1e999' is not a finite number; expected a coordinate");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1000000000\n"), "body:2:7: there is no vertex 1000000000; expected at most 1");
+  EXPECT_EQ(error("v 0 -inf 0\n"), "body:1:5: '-inf' is not a finite number; expected a coordinate");
+  EXPECT_EQ(error("v 0 0 1e308\n"), "body:1:7: '1e308' is out of range; expected a coordinate from -1e+12 to 1e+12");
+  EXPECT_EQ(error("v 0 1e999 0\n"), "body:1:5: '1e999' is not a finite number; expected a coordinate");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 1000000000\n"), "body:2:7: there is no vertex 1000000000; expected at most 1");
   std::string text = kPly;
   text.replace(text.find("1 1 0"), 5, "nan 1");
-  EXPECT_EQ(fault(text), "body:13: row 3 of 'vertex': a coordinate is not a finite number; expected a number");
+  EXPECT_EQ(error(text), "body:13: row 3 of 'vertex': a coordinate is not a finite number; expected a number");
   text.replace(text.find("nan 1"), 5, "1e13 ");
-  EXPECT_EQ(fault(text).substr(0, 62), "body:13: row 3 of 'vertex': the coordinate 1e+13 is out of ran");
+  EXPECT_EQ(error(text).substr(0, 62), "body:13: row 3 of 'vertex': the coordinate 1e+13 is out of ran");
   text = kPly;
   text.replace(text.find("element face 2"), 14, "element face 1000000000");
-  EXPECT_EQ(fault(text),
+  EXPECT_EQ(error(text),
             "body: the header declares 1000000000 rows of 'face', but the file is cut off: 23 bytes hold at most 6; "
             "expected the whole file");
   text = kPly;
   text.replace(text.find("4 0 1 2 3"), 9, "1000000000 0");
-  EXPECT_EQ(fault(text),
+  EXPECT_EQ(error(text),
             "body:16: row 2 of 'face': the list 'vertex_indices' has 1000000000 entries, which the file cannot hold");
 }
 
@@ -104,7 +104,7 @@ void check_building(const std::string& file, const BuildingFacts& facts) {
   const TriangleMesh house = read_mesh(file, Limits{});
   EXPECT_EQ(house.positions.size(), facts.vertices);
   EXPECT_EQ(house.triangles.size(), facts.triangles);
-  EXPECT_TRUE(closedness_faults(house).empty());
+  EXPECT_TRUE(closedness_errors(house).empty());
   const ClosedMesh closed = read_closed_mesh(file, Limits{});
   EXPECT_NEAR(closed.volume(), facts.volume, 1e-5 * facts.volume);
   Box box;

@@ -50,8 +50,8 @@ PointCloud parse_ply_points(std::string_view bytes, const std::string& file, con
       const char* const axis = kAxes[static_cast<std::size_t>(k)];
       if (!std::isfinite(point[k]))
         ply.fail(element, row, fmt::format("{} is not a finite number", axis), "a number (m)");
-      const Diagnostic fault = number_fault(fmt::format("{} = {:.6g}", axis, point[k]), kFileCoordinate);
-      ply.fail(element, row, fault.message, fault.expected);
+      const Diagnostic error = number_error(fmt::format("{} = {:.6g}", axis, point[k]), kFileCoordinate);
+      ply.fail(element, row, error.message, error.expected);
     }
   });
   return points;
@@ -76,7 +76,7 @@ PointCloud parse_text(std::string_view bytes, const std::string& file, const Lim
       const std::optional<double> number = parse_number(word);
       if (!number) text.fail(fmt::format("{} is not a number", in_quotes(word)), fmt::format("{} (m)", axis));
       if (!std::isfinite(*number)) text.fail(fmt::format("{} is not a finite number", axis), "a number (m)");
-      if (!kFileCoordinate.holds(*number)) text.fail(number_fault(in_quotes(word), kFileCoordinate));
+      if (!kFileCoordinate.holds(*number)) text.fail(number_error(in_quotes(word), kFileCoordinate));
       point[k] = *number;
     }
     if (points.size() >= limits.points) throw_too_many(static_cast<double>(points.size()) + 1, limits, file);

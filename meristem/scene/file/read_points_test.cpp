@@ -23,7 +23,7 @@ PointCloud parse(std::string_view bytes, std::uint64_t limit = 100) {
   return parse_points(bytes, "scan", limits);
 }
 
-std::string fault(std::string_view bytes) {
+std::string error(std::string_view bytes) {
   try {
     parse(bytes);
   } catch (const InputError& error) {
@@ -88,14 +88,14 @@ TEST(ReadPoints, KeepsTheCoordinatesOfAWholeCountry) {
 }
 
 TEST(ReadPoints, EveryFaultOfATextHasItsLine) {
-  EXPECT_EQ(fault("1 2 3\n4 5\n"), "scan:2:4: the line has no z; expected three numbers x, y, z");
-  EXPECT_EQ(fault("1 2 3\n4 five 6\n"), "scan:2:3: 'five' is not a number; expected y (m)");
-  EXPECT_EQ(fault("x y z\n1 2 3\nx y z\n"), "scan:3:1: 'x' is not a number; expected x (m)");
-  EXPECT_EQ(fault("1 2 3\n\n1 2 nan\n"), "scan:3:5: z is not a finite number; expected a number (m)");
-  EXPECT_EQ(fault("inf 2 3\n"), "scan:1:1: x is not a finite number; expected a number (m)");
-  EXPECT_EQ(fault("1 2 1e999\n"), "scan:1:5: z is not a finite number; expected a number (m)");
-  EXPECT_EQ(fault("1 -2e12 3\n"), "scan:1:3: '-2e12' is out of range; expected a coordinate from -1e+12 to 1e+12");
-  EXPECT_EQ(fault("# nothing\n"), "scan: the file has no points; expected a point or more");
+  EXPECT_EQ(error("1 2 3\n4 5\n"), "scan:2:4: the line has no z; expected three numbers x, y, z");
+  EXPECT_EQ(error("1 2 3\n4 five 6\n"), "scan:2:3: 'five' is not a number; expected y (m)");
+  EXPECT_EQ(error("x y z\n1 2 3\nx y z\n"), "scan:3:1: 'x' is not a number; expected x (m)");
+  EXPECT_EQ(error("1 2 3\n\n1 2 nan\n"), "scan:3:5: z is not a finite number; expected a number (m)");
+  EXPECT_EQ(error("inf 2 3\n"), "scan:1:1: x is not a finite number; expected a number (m)");
+  EXPECT_EQ(error("1 2 1e999\n"), "scan:1:5: z is not a finite number; expected a number (m)");
+  EXPECT_EQ(error("1 -2e12 3\n"), "scan:1:3: '-2e12' is out of range; expected a coordinate from -1e+12 to 1e+12");
+  EXPECT_EQ(error("# nothing\n"), "scan: the file has no points; expected a point or more");
   EXPECT_THROW(parse("1 2 3\n1 2 3\n1 2 3\n", 2), InputError);
 }
 
@@ -106,7 +106,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(ReadPoints, EveryFaultOfAPlyHasItsPlace) {
   const auto with = [](const std::string& what, const std::string& instead) {
-    return fault(replaced(kAscii, what, instead));
+    return error(replaced(kAscii, what, instead));
   };
   EXPECT_EQ(with("vertex 2", "vertx 2"),
             "scan: the file has no element 'vertex'; expected an element 'vertex' with the properties x, y and z; did "
@@ -128,15 +128,15 @@ TEST(ReadPoints, EveryFaultOfAPlyHasItsPlace) {
             "scan:12: row 2 of 'vertex': the file is cut off here; expected the whole file");
   EXPECT_EQ(with("4 0 5", "4 999 5"),
             "scan:12: row 2 of 'vertex': the list 'n' has 999 entries, which the file cannot hold");
-  EXPECT_NE(fault("ply\nformat ascii 1.0\nelement vertex 1\n").find("the header does not end"), std::string::npos);
+  EXPECT_NE(error("ply\nformat ascii 1.0\nelement vertex 1\n").find("the header does not end"), std::string::npos);
   const std::string binary = binary_ply(true);
-  EXPECT_NE(fault(std::string_view(binary).substr(0, binary.size() - 2)).find("row 2 of 'vertex': the file is cut off"),
+  EXPECT_NE(error(std::string_view(binary).substr(0, binary.size() - 2)).find("row 2 of 'vertex': the file is cut off"),
             std::string::npos);
 }
 
 TEST(ReadPoints, AHeaderThatPromisesTooMuchIsRefusedBeforeTheMemoryIsSpent) {
   const std::string huge = replaced(kAscii, "vertex 2", "vertex 1000000000");
-  EXPECT_NE(fault(huge).find("1000000000 points of a file are too many"), std::string::npos);
+  EXPECT_NE(error(huge).find("1000000000 points of a file are too many"), std::string::npos);
   try {
     parse(huge, 4'000'000'000U);
     ADD_FAILURE() << "no fault";
@@ -148,7 +148,7 @@ TEST(ReadPoints, AHeaderThatPromisesTooMuchIsRefusedBeforeTheMemoryIsSpent) {
   }
   const std::string other =
       replaced(kAscii, "element vertex", "element strip 99999999999\nproperty int a\nelement vertex");
-  EXPECT_NE(fault(other).find("declares 99999999999 rows of 'strip'"), std::string::npos);
+  EXPECT_NE(error(other).find("declares 99999999999 rows of 'strip'"), std::string::npos);
   // Rows without properties take no space, for any number of rows.
   expect_two(replaced(kAscii, "element vertex", "element strip 99999999999\nelement vertex"));
 }
@@ -158,7 +158,7 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
   const std::filesystem::path& folder = temporary.path();
   std::ofstream(folder / "scan.xyz") << "1 2 3\n";
   std::ofstream(folder / "empty.xyz").close();
-  const auto fault_of = [&](const std::filesystem::path& path) {
+  const auto error_of = [&](const std::filesystem::path& path) {
     try {
       read_points(path, Limits{});
     } catch (const InputError& error) {
@@ -167,12 +167,12 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
     return Diagnostic{};
   };
   EXPECT_EQ(read_points(folder / "scan.xyz", Limits{}).size(), 1U);
-  EXPECT_EQ(fault_of(folder / "scam.xyz").message, "there is no such file");
-  EXPECT_EQ(fault_of(folder / "scam.xyz").nearest, (folder / "scan.xyz").string());
-  EXPECT_EQ(fault_of(folder / "empty.xyz").message, "the file is empty");
-  EXPECT_EQ(fault_of(folder).message, "this is a folder");
-  EXPECT_EQ(fault_of("/dev/zero").message, "this is not a regular file");
-  EXPECT_EQ(fault_of("").message, "there is no such file");
+  EXPECT_EQ(error_of(folder / "scam.xyz").message, "there is no such file");
+  EXPECT_EQ(error_of(folder / "scam.xyz").nearest, (folder / "scan.xyz").string());
+  EXPECT_EQ(error_of(folder / "empty.xyz").message, "the file is empty");
+  EXPECT_EQ(error_of(folder).message, "this is a folder");
+  EXPECT_EQ(error_of("/dev/zero").message, "this is not a regular file");
+  EXPECT_EQ(error_of("").message, "there is no such file");
   Limits small;
   small.file_bytes = 5;
   EXPECT_THROW(read_points(folder / "scan.xyz", small), InputError);

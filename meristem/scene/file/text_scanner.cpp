@@ -73,11 +73,11 @@ void TextScanner::fail(std::string message, std::string expected, std::string ne
   fail(Diagnostic{.message = std::move(message), .expected = std::move(expected), .nearest = std::move(nearest)});
 }
 
-void TextScanner::fail(Diagnostic fault) const {
-  fault.file = file_;
-  fault.line = word_line_;
-  fault.column = static_cast<int>(word_column_);
-  throw InputError(std::move(fault));
+void TextScanner::fail(Diagnostic error) const {
+  error.file = file_;
+  error.line = word_line_;
+  error.column = static_cast<int>(word_column_);
+  throw InputError(std::move(error));
 }
 
 }  // namespace meristem

@@ -34,7 +34,7 @@ class TextScanner {
 
   /// Throws InputError at the last word.
   [[noreturn]] void fail(std::string message, std::string expected, std::string nearest = {}) const;
-  [[noreturn]] void fail(Diagnostic fault) const;
+  [[noreturn]] void fail(Diagnostic error) const;
 
  private:
   void skip_blanks();

@@ -23,9 +23,9 @@ int days_of_month(int year, int month) {
   return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
 }
 
-/// Returns the whole number with `least` to `most` digits that a text contains, or nothing for other texts.
-std::optional<int> whole_number(std::string_view text, std::size_t least, std::size_t most) {
-  if (text.size() < least || text.size() > most) return std::nullopt;
+/// Returns the whole number with `min` to `max` digits that a text contains, or nothing for other texts.
+std::optional<int> whole_number(std::string_view text, std::size_t min, std::size_t max) {
+  if (text.size() < min || text.size() > max) return std::nullopt;
   int number = 0;
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;

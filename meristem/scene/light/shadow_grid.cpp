@@ -16,7 +16,7 @@ namespace meristem {
 namespace {
 
 constexpr double kFullShade = 4294967296;  // fixed-point value of one shade
-constexpr double kMostShade = 1e6;
+constexpr double kMaxShade = 1e6;
 constexpr double kFarthest = 1e10;  // voxels
 constexpr int kDeepest = 64;
 constexpr int kLongestReach = 4;  // limits a neighbourhood to two bricks in each direction
@@ -44,7 +44,7 @@ double as_number(std::uint64_t shade) { return static_cast<double>(static_cast<s
 
 void check(const ShadowParameters& form) {
   require(form.voxel > 0 && std::isfinite(form.voxel), "ShadowParameters::voxel is not above 0");
-  require(form.amount >= 0 && form.amount <= kMostShade, "ShadowParameters::amount is out of range");
+  require(form.amount >= 0 && form.amount <= kMaxShade, "ShadowParameters::amount is out of range");
   require(form.base >= 1 && std::isfinite(form.base), "ShadowParameters::base is below 1");
   require(form.depth >= 0 && form.depth <= kDeepest, "ShadowParameters::depth is out of range");
   require(form.reach >= 1 && form.reach <= kLongestReach, "ShadowParameters::reach is out of range");
@@ -180,8 +180,8 @@ struct ShadowGrid::Together {
 class ShadowGrid::SlabCaster {
  public:
   SlabCaster(const ShadowGrid& grid, const Together& together, Bricks& bricks, std::atomic<std::uint64_t>& made,
-             std::uint64_t most_made, const Progress& progress)
-      : grid_(grid), together_(together), bricks_(bricks), made_(made), most_made_(most_made), progress_(progress) {
+             std::uint64_t max_made, const Progress& progress)
+      : grid_(grid), together_(together), bricks_(bricks), made_(made), max_made_(max_made), progress_(progress) {
     for (int k = 0; k < 3; ++k) {
       first_[k] = grid.bounds_.low[k] >> kBits;
       count_[k] = ((kSide - 1 + grid.bounds_.high[k]) >> kBits) - first_[k] + 1;
@@ -253,7 +253,7 @@ class ShadowGrid::SlabCaster {
     const std::size_t before = bricks_.size();
     near_[k] = &bricks_.add(place_of(group, k));
     const bool is_new = bricks_.size() > before;
-    if (is_new && made_.fetch_add(1, std::memory_order_relaxed) >= most_made_) throw TooMuchMemory();
+    if (is_new && made_.fetch_add(1, std::memory_order_relaxed) >= max_made_) throw TooMuchMemory();
     return *near_[k];
   }
 
@@ -261,7 +261,7 @@ class ShadowGrid::SlabCaster {
   const Together& together_;
   Bricks& bricks_;
   std::atomic<std::uint64_t>& made_;
-  std::uint64_t most_made_;
+  std::uint64_t max_made_;
   const Progress& progress_;
   std::array<int, 3> first_;  // lowest offset of a brick that a group's shaders may reach
   std::array<int, 3> count_;
@@ -280,14 +280,14 @@ void ShadowGrid::add(Vec3 position, double weight) {
   cast_together({&shader, 1}, Progress(), std::numeric_limits<std::uint64_t>::max());
 }
 
-void ShadowGrid::cast(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bytes) {
+void ShadowGrid::cast(std::span<const Shader> shaders, const Progress& progress, std::uint64_t max_bytes) {
   for (std::size_t first = 0; first < shaders.size(); first += kTogether) {
     cast_together(shaders.subspan(first, std::min(kTogether, shaders.size() - first)), progress,
-                  most_bytes / kBrickBytes);
+                  max_bytes / kBrickBytes);
   }
 }
 
-void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bricks) {
+void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t max_bricks) {
   progress.check();
   // Sort the shaders by brick and voxel. Distant bricks may have equal keys; their shaders then form alternating
   // groups.
@@ -299,7 +299,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   std::vector<Placed> order(shaders.size());
   std::vector<Voxel> voxels(shaders.size());
   for (std::size_t k = 0; k < shaders.size(); ++k) {
-    require(std::abs(shaders[k].weight) * form_.amount <= kMostShade, "the weight of a shader is out of range");
+    require(std::abs(shaders[k].weight) * form_.amount <= kMaxShade, "the weight of a shader is out of range");
     const Voxel voxel = voxel_at(shaders[k].position);
     const auto part = [&](int axis) { return static_cast<std::uint64_t>(voxel[axis] >> kBits) & kPartOfKey; };
     order[k] = {part(0) | part(1) << kKeyBits | part(2) << 2 * kKeyBits,
@@ -341,14 +341,14 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   }
 
   const std::uint64_t before = brick_count();
-  const std::uint64_t most_made = most_bricks > before ? most_bricks - before : 0;
+  const std::uint64_t max_made = max_bricks > before ? max_bricks - before : 0;
   std::atomic<std::uint64_t> made{0};
   // For few shaders, one thread is faster than waking others.
   const std::size_t grain = shaders.size() < kFew ? kSlabs : 1;
   parallel_for(kSlabs, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slab = begin; slab < end; ++slab) {
       if (together.falls[slab].empty()) continue;
-      SlabCaster caster(*this, together, bricks_[slab], made, most_made, progress);
+      SlabCaster caster(*this, together, bricks_[slab], made, max_made, progress);
       for (const Fall& fall : together.falls[slab]) caster.cast(fall);
       caster.drop_empty();
     }

@@ -30,8 +30,8 @@ static_assert(std::endian::native == std::endian::little, "the first byte become
 
 /// The bricks of a range along one axis, relative to a position.
 struct BricksAlong {
-  std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the position
-  std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
+  std::array<float, MarkerBricks::kMaxAlong> from_corner;  // voxels from the low corner to the position
+  std::array<float, MarkerBricks::kMaxAlong> gap;          // squared distance
 
   BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePosition& position, int axis) {
     constexpr float kHalf = 0.5F * MarkerBricks::kSide;
@@ -54,7 +54,7 @@ MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
       patterns_(kPatterns),
       table_(16) {
   require(spacing > 0 && std::isfinite(spacing), "MarkerParameters::spacing is not above 0");
-  require(reach >= 0 && reach <= kMostReach * spacing, "MarkerParameters::occupancy is out of range");
+  require(reach >= 0 && reach <= kMaxReach * spacing, "MarkerParameters::occupancy is out of range");
   const RandomKey jitter = key.child("patterns");
   for (std::size_t p = 0; p < kPatterns; ++p) {
     for (std::uint32_t k = 0; k < kInBrick; ++k) {

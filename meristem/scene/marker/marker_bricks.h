@@ -26,9 +26,9 @@ class MarkerBricks {
   static constexpr std::uint32_t kInBrick = 64;  ///< markers of a brick, or bricks of a block: index x + 4 y + 16 z
   static constexpr std::uint32_t kNone = ~0U;    ///< no brick, or no block
   static constexpr std::uint64_t kAll = ~0ULL;   ///< all markers of a brick, or all bricks of a block
-  static constexpr int kMostReach = 32;          ///< voxels
+  static constexpr int kMaxReach = 32;           ///< voxels
   /// Largest number of bricks along an axis within this reach.
-  static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;
+  static constexpr std::size_t kMaxAlong = 2 * kMaxReach / kSide + 2;
 
   /// A position in units of 2^-16 voxels. The vector to a marker is then exact in floats.
   using FinePosition = std::array<std::int64_t, 3>;
@@ -69,7 +69,7 @@ class MarkerBricks {
     std::array<std::uint32_t, 64> blocks;  ///< index of the block in each place
   };
 
-  /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` is in [0, kMostReach] spacings.
+  /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` is in [0, kMaxReach] spacings.
   MarkerBricks(double spacing, double reach, RandomKey key);
 
   /// Counts a shoot at every marker within reach. vacate() is the exact inverse, and throws std::invalid_argument if no

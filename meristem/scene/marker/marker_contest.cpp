@@ -102,7 +102,7 @@ void BrickContest::compete(const Look& look, Vec3 position, std::int32_t layer, 
   const std::uint32_t trips = (end - begin + kLanes - 1) / kLanes * kLanes;
   // GCC vectorises this loop by four if signs are not chosen by a condition.
   const Vec3 to = look.direction;
-  const float most = look.square;
+  const float max = look.square;
   const float slope = look.slope;
   const std::uint32_t seeker = look.seeker;
   for (std::uint32_t k = begin; k < begin + trips; ++k) {
@@ -111,7 +111,7 @@ void BrickContest::compete(const Look& look, Vec3 position, std::int32_t layer, 
     const float z = z_[k] - position.z;
     const float square = (x * x + z * z) + y * y;
     const float along = to.x * x + to.y * y + to.z * z;
-    const bool is_seen = both(square <= most, along * std::abs(along) >= slope * square);
+    const bool is_seen = both(square <= max, along * std::abs(along) >= slope * square);
     const bool is_first = both(square == nearest_[k], seeker < seeker_[k]);
     const bool is_owner = both(is_seen, either(square < nearest_[k], is_first));
     nearest_[k] = is_owner ? square : nearest_[k];

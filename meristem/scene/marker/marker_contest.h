@@ -46,18 +46,18 @@ class BrickContest {
   }
 
  private:
-  static constexpr std::uint32_t kMost = MarkerBricks::kInBrick;
+  static constexpr std::uint32_t kMax = MarkerBricks::kInBrick;
   static constexpr std::uint32_t kLanes = 4;
 
   std::uint32_t count_ = 0;
   std::array<std::uint32_t, MarkerBricks::kSide + 1> layers_;  // begin of the markers of each layer
-  std::array<std::uint32_t, kMost> marker_;
-  alignas(16) std::array<float, kMost> x_;
-  alignas(16) std::array<float, kMost> y_;
-  alignas(16) std::array<float, kMost> z_;
-  alignas(16) std::array<float, kMost> nearest_;
-  alignas(16) std::array<std::uint32_t, kMost> seeker_;
-  alignas(16) std::array<std::uint32_t, kMost> owner_;
+  std::array<std::uint32_t, kMax> marker_;
+  alignas(16) std::array<float, kMax> x_;
+  alignas(16) std::array<float, kMax> y_;
+  alignas(16) std::array<float, kMax> z_;
+  alignas(16) std::array<float, kMax> nearest_;
+  alignas(16) std::array<std::uint32_t, kMax> seeker_;
+  alignas(16) std::array<std::uint32_t, kMax> owner_;
 };
 
 }  // namespace meristem

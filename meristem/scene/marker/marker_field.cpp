@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
 constexpr float kUnitLength = 4294967296;  // fixed-point length of a unit vector
 constexpr std::size_t kBrickGrain = 32;
-constexpr std::uint64_t kBytesASighting = 16;          // memory of one brick seen by one seeker, in a round
-constexpr std::uint64_t kMostSightings = 0xffffffffU;  // limit of 32-bit counts
+constexpr std::uint64_t kBytesASighting = 16;         // memory of one brick seen by one seeker, in a round
+constexpr std::uint64_t kMaxSightings = 0xffffffffU;  // limit of 32-bit counts
 
 }  // namespace
 
@@ -169,10 +169,10 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
 }
 
 void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
-                            std::uint64_t most_bytes) {
+                            std::uint64_t max_bytes) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
-  const std::uint64_t most_sightings = std::min<std::uint64_t>(most_bytes / kBytesASighting, kMostSightings);
-  auto around = look_around(bricks_, seekers, volumes_.size(), most_sightings, progress);
+  const std::uint64_t max_sightings = std::min<std::uint64_t>(max_bytes / kBytesASighting, kMaxSightings);
+  auto around = look_around(bricks_, seekers, volumes_.size(), max_sightings, progress);
   if (!around) throw TooMuchMemory();
   const LookedAt looked = looked_at(bricks_, std::move(*around), progress);
   learn_claims(looked, progress);

@@ -70,10 +70,10 @@ class MarkerField {
   /// Assigns each free marker to the nearest seeker that sees it (tie: the first seeker). Seekers that yield come after
   /// all others. Writes the result of each seeker to `rooms`, which has one entry per seeker. The result does not
   /// depend on the number of threads. Throws std::invalid_argument for seekers out of range. Throws TooMuchMemory if
-  /// the round would need more than `most_bytes` in addition to the field itself. Throws Cancelled. After TooMuchMemory
+  /// the round would need more than `max_bytes` in addition to the field itself. Throws Cancelled. After TooMuchMemory
   /// or Cancelled, `rooms` is unchanged.
   void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
-                 std::uint64_t most_bytes = ~std::uint64_t{0});
+                 std::uint64_t max_bytes = ~std::uint64_t{0});
   /// Thrown before a call would exceed its limit of memory.
   struct TooMuchMemory {};
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kGrain = 1024;
 constexpr std::size_t kAtOnce = 16;  // seekers that are fetched together
 // For fewer bricks in the box around a cone, testing each brick against the cone takes longer than testing its markers.
-constexpr int kMostUntested = 48;
+constexpr int kMaxUntested = 48;
 constexpr float kMargin = 0.125F;  // voxels; larger than any rounding error here
 
 using Cell = MarkerBricks::Cell;
@@ -26,7 +26,7 @@ using Range = MarkerBricks::Range;
 
 void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
   require(seeker.volume < volume_count, "Seeker::volume is none that was added");
-  require(seeker.radius >= 0 && seeker.radius <= MarkerBricks::kMostReach * spacing, "Seeker::radius is out of range");
+  require(seeker.radius >= 0 && seeker.radius <= MarkerBricks::kMaxReach * spacing, "Seeker::radius is out of range");
   require(std::abs(seeker.cosine) <= 1, "Seeker::cosine is out of range");
   require(std::abs(squared_length(seeker.direction) - 1) < 1e-5F, "Seeker::direction is not a unit vector");
 }
@@ -60,7 +60,7 @@ class Cone {
                                                                  << kStride[axis] * skipped;
       }
     }
-    is_large_ = count > kMostUntested;
+    is_large_ = count > kMaxUntested;
   }
 
   /// The voxels and the bricks that touch the box around the cone.
@@ -110,7 +110,7 @@ class Cone {
   bool is_large_ = false;
   Vec3 first_middle_;  // vector from the tip to the centre of the first brick, voxels
   // Voxels of each brick that are in the box.
-  std::array<std::array<std::uint64_t, MarkerBricks::kMostAlong>, 3> parts_;
+  std::array<std::array<std::uint64_t, MarkerBricks::kMaxAlong>, 3> parts_;
 };
 
 template <class Visit>
@@ -204,7 +204,7 @@ std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const S
 }  // namespace
 
 std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
-                                                   std::size_t volume_count, std::uint64_t most_sightings,
+                                                   std::size_t volume_count, std::uint64_t max_sightings,
                                                    const Progress& progress) {
   const std::vector<std::uint32_t> order = spatial_order(bricks, seekers, volume_count, progress);
   const std::size_t parts = (seekers.size() + kGrain - 1) / kGrain;
@@ -213,7 +213,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
   std::atomic<std::uint64_t> sightings{0};
   parallel_for(seekers.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    if (sightings > most_sightings) return;
+    if (sightings > max_sightings) return;
     Looker looker(bricks);
     const std::size_t part = begin / kGrain;
     // Fetch several seekers together, because each may cause a cache miss.
@@ -225,7 +225,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
     }
     sightings += around[part].sightings.size() + missing[part].size();
   });
-  if (sightings > most_sightings) return std::nullopt;
+  if (sightings > max_sightings) return std::nullopt;
 
   // Create the missing blocks.
   for (std::size_t part = 0; part < parts; ++part) {

@@ -42,10 +42,10 @@ struct LookAround {
 };
 
 /// Finds the looks and sightings of all seekers, and creates missing blocks. Returns nothing if there would be more
-/// than `most_sightings` sightings; a little more memory may be used before this is known. Throws std::invalid_argument
+/// than `max_sightings` sightings; a little more memory may be used before this is known. Throws std::invalid_argument
 /// for seekers out of range. Throws Cancelled.
 std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
-                                                   std::size_t volume_count, std::uint64_t most_sightings,
+                                                   std::size_t volume_count, std::uint64_t max_sightings,
                                                    const Progress& progress);
 
 }  // namespace meristem

@@ -26,7 +26,7 @@ namespace {
 __extension__ using Wide = __int128;
 
 constexpr int kGridBits = 26;
-constexpr int kMostLevels = 12;
+constexpr int kMaxLevels = 12;
 constexpr double kSteps = 1 << kGridBits;
 
 template <class T>
@@ -92,7 +92,7 @@ ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), t
 
 void ClosedMesh::build_levels() {
   int finest = 0;
-  while (finest < kMostLevels && (std::size_t{1} << (2 * finest)) < triangles_.size()) ++finest;
+  while (finest < kMaxLevels && (std::size_t{1} << (2 * finest)) < triangles_.size()) ++finest;
   // Finds the level and the cells of a triangle.
   StopCounter stop;
   const auto for_cells = [&](const std::array<std::uint32_t, 3>& triangle, auto&& see) {

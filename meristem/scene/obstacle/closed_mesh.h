@@ -20,11 +20,11 @@ struct TriangleMesh {
 /// open edges, edges with more triangles in one direction than in the other, and triangles with reversed orientation.
 /// Returns an empty list for closed meshes. Vertices at equal positions count as one. Triangles without area are
 /// ignored.
-std::vector<std::string> closedness_faults(const TriangleMesh& mesh);
+std::vector<std::string> closedness_errors(const TriangleMesh& mesh);
 
 /// Returns the reason why a closed mesh is not a body, such as "encloses nothing"; empty for bodies. A mesh that
 /// crosses itself, like a bow tie, may have no volume, because inverted parts cancel others.
-std::string body_fault(const TriangleMesh& mesh);
+std::string body_error(const TriangleMesh& mesh);
 
 /// A closed mesh with an exact test for inside. A point is inside if the winding number of the surface around it is not
 /// 0. The inside therefore does not depend on the orientation of the mesh. A shell within a shell makes a hollow if it

@@ -141,13 +141,13 @@ TEST(ClosedMesh, RejectsIndicesOutOfRange) {
 }
 
 TEST(Closedness, ClosedMeshesHaveNoFaults) {
-  EXPECT_TRUE(closedness_faults(cube()).empty());
-  EXPECT_TRUE(closedness_faults(sphere_mesh(3)).empty());
+  EXPECT_TRUE(closedness_errors(cube()).empty());
+  EXPECT_TRUE(closedness_errors(sphere_mesh(3)).empty());
   TriangleMesh turned = cube();
   turn_over(turned);
-  EXPECT_TRUE(closedness_faults(turned).empty());
+  EXPECT_TRUE(closedness_errors(turned).empty());
   // Two cubes that share an edge: four triangles meet there, two in each direction.
-  EXPECT_TRUE(closedness_faults(joined(cube(), cube({1, 1, 0}))).empty());
+  EXPECT_TRUE(closedness_errors(joined(cube(), cube({1, 1, 0}))).empty());
 }
 
 TEST(Closedness, VerticesAtOnePlaceCountAsOne) {
@@ -161,30 +161,30 @@ TEST(Closedness, VerticesAtOnePlaceCountAsOne) {
     apart.triangles.push_back(own);
   }
   apart.triangles.push_back({0, 0, 1});  // without area
-  EXPECT_TRUE(closedness_faults(apart).empty());
+  EXPECT_TRUE(closedness_errors(apart).empty());
 }
 
 TEST(Closedness, TellsEachKindOfFaultWithItsPlace) {
   TriangleMesh open = cube();
   open.triangles.pop_back();
-  EXPECT_EQ(closedness_faults(open).at(0),
+  EXPECT_EQ(closedness_errors(open).at(0),
             "3 edges are open, with a triangle on one side only; the first goes from (0, 0, 1) to (0, 1, 1)");
   TriangleMesh turned = cube();
   std::swap(turned.triangles[0][0], turned.triangles[0][1]);
   EXPECT_EQ(
-      closedness_faults(turned).at(0),
+      closedness_errors(turned).at(0),
       "3 edges are between triangles that are turned against each other; the first goes from (0, 0, 0) to (0, 0, 1)");
   TriangleMesh crowded = cube();
   crowded.positions.push_back({0.5, 0.5, -1});
   crowded.triangles.push_back({0, 1, 8});
-  EXPECT_EQ(closedness_faults(crowded).size(), 2U);
-  EXPECT_NE(closedness_faults(crowded).at(1).find("1 edge is where more triangles meet one way than the other"),
+  EXPECT_EQ(closedness_errors(crowded).size(), 2U);
+  EXPECT_NE(closedness_errors(crowded).at(1).find("1 edge is where more triangles meet one way than the other"),
             std::string::npos);
   TriangleMesh flat = cube();
   for (DVec3& position : flat.positions) position.y = 0;
-  EXPECT_TRUE(closedness_faults(flat).empty());
-  EXPECT_EQ(body_fault(flat), "encloses nothing");
-  EXPECT_EQ(body_fault(cube()), "");
+  EXPECT_TRUE(closedness_errors(flat).empty());
+  EXPECT_EQ(body_error(flat), "encloses nothing");
+  EXPECT_EQ(body_error(cube()), "");
 }
 
 TEST(ClosedMesh, ABowTieIsClosedAndCrossesItself) {
@@ -201,8 +201,8 @@ TEST(ClosedMesh, ABowTieIsClosedAndCrossesItself) {
     tie.triangles.push_back({a, b, above(b)});
     tie.triangles.push_back({a, above(b), above(a)});
   }
-  EXPECT_EQ(closedness_faults(tie), std::vector<std::string>{});
-  EXPECT_NE(body_fault(tie).find("crosses itself"), std::string::npos) << body_fault(tie);
+  EXPECT_EQ(closedness_errors(tie), std::vector<std::string>{});
+  EXPECT_NE(body_error(tie).find("crosses itself"), std::string::npos) << body_error(tie);
   EXPECT_TRUE(ClosedMesh(tie).contains({-0.5, 0.5, 0}));
   EXPECT_TRUE(ClosedMesh(tie).contains({0.5, 0.5, 0}));
   EXPECT_EQ(ClosedMesh(tie).volume(), 0);

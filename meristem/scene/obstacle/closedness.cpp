@@ -68,18 +68,18 @@ struct Finding {
 
 std::string text_of(DVec3 at) { return fmt::format("({:.7g}, {:.7g}, {:.7g})", at.x, at.y, at.z); }
 
-void report(const Finding& finding, const char* what, const TriangleMesh& mesh, std::vector<std::string>& faults) {
+void report(const Finding& finding, const char* what, const TriangleMesh& mesh, std::vector<std::string>& errors) {
   if (finding.count == 0) return;
-  faults.push_back(
+  errors.push_back(
       fmt::format("{} {} {}; the first goes from {} to {}", finding.count, finding.count == 1 ? "edge is" : "edges are",
                   what, text_of(mesh.positions[finding.first.low]), text_of(mesh.positions[finding.first.high])));
 }
 
 /// Returns true if the surface encloses a point close to it. Tests points on both sides of some triangles.
 bool encloses_something(const ClosedMesh& closed, const TriangleMesh& mesh, DVec3 size) {
-  constexpr std::size_t kMostTriangles = 1000;
+  constexpr std::size_t kMaxTriangles = 1000;
   constexpr double kNear = 1e-4;  // share of the mesh's size
-  const std::size_t step = mesh.triangles.size() / kMostTriangles + 1;
+  const std::size_t step = mesh.triangles.size() / kMaxTriangles + 1;
   for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
     const auto [a, b, c] = mesh.triangles[k];
     const DVec3 corner = mesh.positions[a];
@@ -95,7 +95,7 @@ bool encloses_something(const ClosedMesh& closed, const TriangleMesh& mesh, DVec
 
 }  // namespace
 
-std::vector<std::string> closedness_faults(const TriangleMesh& mesh) {
+std::vector<std::string> closedness_errors(const TriangleMesh& mesh) {
   Finding open;
   Finding turned;
   Finding crowded;
@@ -112,14 +112,14 @@ std::vector<std::string> closedness_faults(const TriangleMesh& mesh) {
     if (2 * forward == count) continue;
     (count == 1 ? open : count == 2 ? turned : crowded).add(edges[begin]);
   }
-  std::vector<std::string> faults;
-  report(open, "open, with a triangle on one side only", mesh, faults);
-  report(turned, "between triangles that are turned against each other", mesh, faults);
-  report(crowded, "where more triangles meet one way than the other", mesh, faults);
-  return faults;
+  std::vector<std::string> errors;
+  report(open, "open, with a triangle on one side only", mesh, errors);
+  report(turned, "between triangles that are turned against each other", mesh, errors);
+  report(crowded, "where more triangles meet one way than the other", mesh, errors);
+  return errors;
 }
 
-std::string body_fault(const TriangleMesh& mesh) {
+std::string body_error(const TriangleMesh& mesh) {
   const ClosedMesh closed(mesh);
   Box box;
   for (const DVec3 position : mesh.positions) box.add(Vec3(position));

@@ -165,12 +165,12 @@ ObstacleTree::Near nearest_on(const Facet& facet, DVec3 position) {
       return near;
     }
   }
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     const DVec3 found = nearest_on_edge(position, corner[k], corner[(k + 1) % 3]);
     const double distance = glm::distance(found, position);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min) continue;
+    min = distance;
     near.position = found;
   }
   return near;

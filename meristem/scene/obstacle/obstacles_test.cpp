@@ -52,10 +52,10 @@ std::optional<Obstacles::Hit> brute_force_hit(const Obstacles& obstacles, Vec3 o
       const Exact along(direction);
       const std::array<long double, 3> sides{glm::dot(along, glm::cross(a, b)), glm::dot(along, glm::cross(b, c)),
                                              glm::dot(along, glm::cross(c, a))};
-      const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
+      const auto [min, max] = std::minmax_element(sides.begin(), sides.end());
       const Exact normal = glm::cross(b - a, c - a);
       const long double slope = glm::dot(normal, along);
-      if ((*least < 0 && *most > 0) || slope == 0) continue;
+      if ((*min < 0 && *max > 0) || slope == 0) continue;
       const auto distance = static_cast<double>(glm::dot(normal, a) / slope);
       if (distance >= 0 && (!best || distance < best->distance)) best = Obstacles::Hit{distance, k};
     }
@@ -65,7 +65,7 @@ std::optional<Obstacles::Hit> brute_force_hit(const Obstacles& obstacles, Vec3 o
 
 TEST(BoxMesh, IsClosedAndFacesOutward) {
   const TriangleMesh box = box_mesh({1, 2, 3}, {2, 4, 7});
-  EXPECT_TRUE(closedness_faults(box).empty());
+  EXPECT_TRUE(closedness_errors(box).empty());
   EXPECT_EQ(ClosedMesh(box).winding_number({1.5, 3, 5}), 1);
   EXPECT_DOUBLE_EQ(ClosedMesh(box).volume(), 8);
 }
@@ -119,7 +119,7 @@ TEST(Obstacles, ASphereIsMetWhereItsEquationSays) {
 
 TEST(Obstacles, AConcaveBodyHasNothingInItsNotch) {
   const Obstacles notched = obstacles_of({l_shape()});
-  EXPECT_TRUE(closedness_faults(l_shape()).empty());
+  EXPECT_TRUE(closedness_errors(l_shape()).empty());
   EXPECT_TRUE(notched.contain({0.5F, 1, -2.5F}));
   EXPECT_TRUE(notched.contain({2.5F, 1, -0.5F}));
   EXPECT_FALSE(notched.contain({2, 1, -2}));
@@ -303,7 +303,7 @@ TEST(Obstacles, ABrokenBodyIsWhereMostViewsSeeIt) {
   // Without its top, and with its western side reversed.
   open.triangles.erase(open.triangles.begin() + 6, open.triangles.begin() + 8);
   std::swap(open.triangles[6][0], open.triangles[6][1]);
-  ASSERT_FALSE(closedness_faults(open).empty());
+  ASSERT_FALSE(closedness_errors(open).empty());
   const Obstacles broken({{.mesh = open, .is_broken = true}});
   EXPECT_TRUE(broken.contain({1, 1, 1}));
   EXPECT_TRUE(broken.contain({0.1F, 1.9F, 0.1F}));
@@ -399,17 +399,17 @@ TEST(Obstacles, RejectMeshesThatPointNowhere) {
 // The reference implementation: samples each triangle in a fine net of points.
 double brute_force_distance(const TriangleMesh& mesh, Vec3 position) {
   constexpr int kSteps = 60;
-  double least = kFar;
+  double min = kFar;
   for (const auto& [p, q, r] : mesh.triangles) {
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; i + j <= kSteps; ++j) {
         const DVec3 at = mesh.positions[p] + (mesh.positions[q] - mesh.positions[p]) * (double(i) / kSteps) +
                          (mesh.positions[r] - mesh.positions[p]) * (double(j) / kSteps);
-        least = std::min(least, glm::distance(at, DVec3(position)));
+        min = std::min(min, glm::distance(at, DVec3(position)));
       }
     }
   }
-  return least;
+  return min;
 }
 
 TEST(Obstacles, TheWayFromASurfaceIsAcrossItsFacesAndSlantedAtItsEdges) {

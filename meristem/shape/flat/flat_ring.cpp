@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLeastCorner = 1e-6;  // share of the unit square: minimum area of the triangles around the middle
+constexpr double kMinCorner = 1e-6;  // share of the unit square: minimum area of the triangles around the middle
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -63,7 +63,7 @@ RingFace ring_face(const std::vector<glm::dvec2>& corners) {
   face.has_middle = true;
   for (std::uint32_t k = 0; k < count && face.has_middle; ++k) {
     const std::uint32_t next = (k + 1) % count;
-    face.has_middle = cross(corners[k] - middle, corners[next] - middle) > kLeastCorner;
+    face.has_middle = cross(corners[k] - middle, corners[next] - middle) > kMinCorner;
     face.triangles.push_back({k, next, count});
   }
   if (face.has_middle) return face;

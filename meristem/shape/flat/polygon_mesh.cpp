@@ -53,13 +53,13 @@ std::vector<double> band_lines(const std::vector<glm::dvec2>& flat, double toler
 Mesh make_polygon(std::span<const Vec3> given) {
   Mesh mesh;
   if (given.size() < 3) return mesh;
-  Vec3 least = given[0];
-  Vec3 most = given[0];
+  Vec3 min = given[0];
+  Vec3 max = given[0];
   for (const Vec3 corner : given) {
-    least = glm::min(least, corner);
-    most = glm::max(most, corner);
+    min = glm::min(min, corner);
+    max = glm::max(max, corner);
   }
-  const float extent = glm::length(most - least);
+  const float extent = glm::length(max - min);
   std::vector<Vec3> corners = distinct(given, extent);
   if (corners.size() < 3) return mesh;
   DVec3 area = area_vector(corners);

@@ -23,15 +23,15 @@ namespace meristem {
 
 namespace {
 
-constexpr double kEndWeight = 1000;   // weight of fixed points: the base of the blade and both ends of the widths
-constexpr int kSteps = 8;             // steps along the spline per piece
-constexpr int kEvenings = 20;         // maximum number of rounds that equalise chords
-constexpr double kEven = 1e-7;        // share of the length; smaller moves of a position count as none
-constexpr double kWhole = 1e-6;       // share of the last position; values nearer to 0 count as 0
-constexpr double kMostExcess = 0.01;  // share of the area of widths joined by lines
-constexpr int kAreaPlaces = 512;      // number of positions at which such areas are summed
-constexpr double kLeastShares = 0.9,
-                 kMostShares = 1.001;  // maximum last position if positions of widths are shares of the length
+constexpr double kEndWeight = 1000;  // weight of fixed points: the base of the blade and both ends of the widths
+constexpr int kSteps = 8;            // steps along the spline per piece
+constexpr int kEvenings = 20;        // maximum number of rounds that equalise chords
+constexpr double kEven = 1e-7;       // share of the length; smaller moves of a position count as none
+constexpr double kWhole = 1e-6;      // share of the last position; values nearer to 0 count as 0
+constexpr double kMaxExcess = 0.01;  // share of the area of widths joined by lines
+constexpr int kAreaPlaces = 512;     // number of positions at which such areas are summed
+constexpr double kMinShares = 0.9,
+                 kMaxShares = 1.001;  // maximum last position if positions of widths are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
@@ -241,7 +241,7 @@ double straightness_for_area(std::span<const Vec2> curve) {
   }
   wanted /= kAreaPlaces;
   const double excess = std::abs(area / kAreaPlaces - wanted);
-  const double allowed = kMostExcess * wanted;
+  const double allowed = kMaxExcess * wanted;
   return excess > allowed ? 1 - allowed / excess : 0;
 }
 
@@ -317,7 +317,7 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   MeasuredCurve from_base = widths;
   fitted.was_turned = turn_to_base(from_base);
   fitted.length = from_base.points.back().x;
-  fitted.are_shares = fitted.length > kLeastShares && fitted.length < kMostShares;
+  fitted.are_shares = fitted.length > kMinShares && fitted.length < kMaxShares;
   SmoothWidths smooth = smooth_widths(from_base.points, options);
   fitted.r = std::move(smooth.shares);
   double largest = 0;

@@ -22,10 +22,10 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNoWidth = 1e-3;     // share of the largest width; a blade with a narrower end ends in a point
-constexpr double kLeastWidth = 1e-3;  // minimum width elsewhere
-constexpr double kNoLength = 1e-6;    // in lengths; a shorter piece has no direction
-constexpr double kMostClasp = 2.8;    // radians; maximum bend of a half around a sheath
+constexpr double kNoWidth = 1e-3;   // share of the largest width; a blade with a narrower end ends in a point
+constexpr double kMinWidth = 1e-3;  // minimum width elsewhere
+constexpr double kNoLength = 1e-6;  // in lengths; a shorter piece has no direction
+constexpr double kMaxClasp = 2.8;   // radians; maximum bend of a half around a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
 constexpr double kLiguleArc = 2.4;      // radians
@@ -130,8 +130,8 @@ class BladeRows {
       add_vertex(midrib + displacement(leaf_.s[k], 0), 0.5, leaf_.s[k]);
       return row;
     }
-    const double width = leaf_.width * std::max(share, kLeastWidth);
-    const double bend = std::clamp(curvature(leaf_.s[k]), -2 * kMostClasp / width, 2 * kMostClasp / width);
+    const double width = leaf_.width * std::max(share, kMinWidth);
+    const double bend = std::clamp(curvature(leaf_.s[k]), -2 * kMaxClasp / width, 2 * kMaxClasp / width);
     for (int c = 0; c <= blade_.across; ++c) {
       const double u = static_cast<double>(c) / blade_.across - 0.5;
       const double away = std::abs(u) * width;

@@ -105,22 +105,22 @@ TEST(GrassLeaf, AnglesAlongItAreLinearBetweenMiddlesOfPieces) {
 }
 
 TEST(GrassLeaf, RejectsWhatIsNoLeaf) {
-  const auto fault_of = [](auto change) {
+  const auto error_of = [](auto change) {
     GrassLeaf leaf = arching_leaf(4, 0, 1);
     change(leaf);
     EXPECT_THROW(check_grass_leaf(leaf), std::invalid_argument);
   };
   check_grass_leaf(arching_leaf(4, 0, 1));
-  fault_of([](GrassLeaf& leaf) { leaf.length = 0; });
-  fault_of([](GrassLeaf& leaf) { leaf.width = -1; });
-  fault_of([](GrassLeaf& leaf) { leaf.width = std::numeric_limits<double>::infinity(); });
-  fault_of([](GrassLeaf& leaf) { leaf.x.pop_back(); });
-  fault_of([](GrassLeaf& leaf) { leaf.s = leaf.x = leaf.y = leaf.r = {0}; });
-  fault_of([](GrassLeaf& leaf) { leaf.s[2] = leaf.s[1]; });
-  fault_of([](GrassLeaf& leaf) { leaf.s[0] = 0.01; });
-  fault_of([](GrassLeaf& leaf) { leaf.s[4] = 1.01; });
-  fault_of([](GrassLeaf& leaf) { leaf.r[2] = -0.1; });
-  fault_of([](GrassLeaf& leaf) { leaf.y[2] = std::nan(""); });
+  error_of([](GrassLeaf& leaf) { leaf.length = 0; });
+  error_of([](GrassLeaf& leaf) { leaf.width = -1; });
+  error_of([](GrassLeaf& leaf) { leaf.width = std::numeric_limits<double>::infinity(); });
+  error_of([](GrassLeaf& leaf) { leaf.x.pop_back(); });
+  error_of([](GrassLeaf& leaf) { leaf.s = leaf.x = leaf.y = leaf.r = {0}; });
+  error_of([](GrassLeaf& leaf) { leaf.s[2] = leaf.s[1]; });
+  error_of([](GrassLeaf& leaf) { leaf.s[0] = 0.01; });
+  error_of([](GrassLeaf& leaf) { leaf.s[4] = 1.01; });
+  error_of([](GrassLeaf& leaf) { leaf.r[2] = -0.1; });
+  error_of([](GrassLeaf& leaf) { leaf.y[2] = std::nan(""); });
 }
 
 }  // namespace meristem::grass_leaf_test

@@ -31,11 +31,11 @@ constexpr double kStiffWidth = 0.02;  // share of the largest width: joints of n
                                       // this width
 constexpr double kSettled = 1e-10;    // radians; last step of pieces that have come to rest
 constexpr double kBalanced = 1e-8;    // radians; like kSettled, between rounds of wind
-constexpr double kMostTurn = 0.5;     // radians; maximum turn of a piece in one step
+constexpr double kMaxTurn = 0.5;      // radians; maximum turn of a piece in one step
 constexpr int kSearchSteps = 400;
 constexpr int kRounds = 300;  // maximum number of rounds of wind
 constexpr int kLoadSteps = 8;
-constexpr double kMostLoad = 1000;
+constexpr double kMaxLoad = 1000;
 constexpr double kAgreed = 0.01;  // share of the requested turn
 
 using Vec = glm::dvec2;
@@ -172,7 +172,7 @@ class LoadedChain {
       double farthest = 0;
       for (const double turn : step_) farthest = std::max(farthest, std::abs(turn));
       if (farthest < kSettled) return true;
-      const double share = std::min(1.0, kMostTurn / farthest);
+      const double share = std::min(1.0, kMaxTurn / farthest);
       tried_ = angles;
       for (std::size_t i = 1; i < angles.size(); ++i) tried_[i] += share * step_[i];
       const double reached = differentiate(tried_);
@@ -262,7 +262,7 @@ double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLo
     angles = tried;
     low = high;
     high *= 1.3;
-    if (high > kMostLoad) throw std::invalid_argument("no such load turns the leaf that far");
+    if (high > kMaxLoad) throw std::invalid_argument("no such load turns the leaf that far");
   }
   while (high - low > 1e-9 * high) {
     const double middle = 0.5 * (low + high);

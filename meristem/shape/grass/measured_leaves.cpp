@@ -18,49 +18,48 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kLeastPoints = 3;
-constexpr double kEnd = 0.1;              // share of the rows at either end whose mean widths distinguish base and tip
-constexpr double kTipOverBase = 0.5;      // maximum width of a tip relative to the base
-constexpr double kMostNumber = 1e6;       // maximum rank or lindex
-constexpr std::size_t kMostFaults = 100;  // maximum number of errors per curve
-constexpr double kMostCoordinate = 1e9;   // maximum coordinate, in any unit
-constexpr double kSamePoint = 1e-6;       // share of a curve's length: points nearer to one another count as equal
+constexpr std::size_t kMinPoints = 3;
+constexpr double kEnd = 0.1;             // share of the rows at either end whose mean widths distinguish base and tip
+constexpr double kTipOverBase = 0.5;     // maximum width of a tip relative to the base
+constexpr double kMaxNumber = 1e6;       // maximum rank or lindex
+constexpr std::size_t kMaxErrors = 100;  // maximum number of errors per curve
+constexpr double kMaxCoordinate = 1e9;   // maximum coordinate, in any unit
+constexpr double kSamePoint = 1e-6;      // share of a curve's length: points nearer to one another count as equal
 
 /// Collects the errors of one curve.
-class CurveFaults {
+class CurveErrors {
  public:
-  explicit CurveFaults(const MeasuredCurve& curve) : curve_(curve) {}
+  explicit CurveErrors(const MeasuredCurve& curve) : curve_(curve) {}
 
   void add(std::size_t point, std::string message, std::string expected) {
-    if (faults_.size() >= kMostFaults) return;
+    if (errors_.size() >= kMaxErrors) return;
     Diagnostic found{.message = std::move(message), .expected = std::move(expected)};
     if (point < curve_.lines.size()) found.line = curve_.lines[point];
     if (curve_.lines.empty()) found.message = fmt::format("row {}: {}", point, found.message);
-    faults_.push_back(std::move(found));
+    errors_.push_back(std::move(found));
   }
   void throw_if_any() {
-    if (!faults_.empty()) throw InputError(std::move(faults_));
+    if (!errors_.empty()) throw InputError(std::move(errors_));
   }
 
  private:
   const MeasuredCurve& curve_;
-  std::vector<Diagnostic> faults_;
+  std::vector<Diagnostic> errors_;
 };
 
-void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& faults) {
-  if (curve.points.size() < kLeastPoints) {
-    faults.add(0, fmt::format("{} have {} points", what, curve.points.size()),
-               fmt::format("at least {}", kLeastPoints));
+void check_points(const MeasuredCurve& curve, const char* what, CurveErrors& errors) {
+  if (curve.points.size() < kMinPoints) {
+    errors.add(0, fmt::format("{} have {} points", what, curve.points.size()), fmt::format("at least {}", kMinPoints));
   }
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
     const glm::dvec2 point = curve.points[k];
     if (!std::isfinite(point.x + point.y)) {
-      faults.add(k, fmt::format("a point of {} is not finite", what), "two finite numbers");
-    } else if (std::max(std::abs(point.x), std::abs(point.y)) > kMostCoordinate) {
-      faults.add(k, fmt::format("a point of {} is too far from 0", what), "numbers up to 1e9");
+      errors.add(k, fmt::format("a point of {} is not finite", what), "two finite numbers");
+    } else if (std::max(std::abs(point.x), std::abs(point.y)) > kMaxCoordinate) {
+      errors.add(k, fmt::format("a point of {} is too far from 0", what), "numbers up to 1e9");
     }
   }
-  faults.throw_if_any();
+  errors.throw_if_any();
 }
 
 /// What distinguishes the curves of one file.
@@ -81,27 +80,27 @@ std::string shown(const CurveName& name) {
   return text;
 }
 
-std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t row, std::vector<Diagnostic>& faults) {
+std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t row, std::vector<Diagnostic>& errors) {
   if (!columns.has(column)) return std::nullopt;
   const double number = columns.numbers[column][row];
-  if (number == std::floor(number) && std::abs(number) <= kMostNumber) return static_cast<int>(number);
-  faults.push_back({.message = fmt::format("{} is not a whole number", number),
+  if (number == std::floor(number) && std::abs(number) <= kMaxNumber) return static_cast<int>(number);
+  errors.push_back({.message = fmt::format("{} is not a whole number", number),
                     .expected = "the number of a rank or leaf",
                     .line = columns.lines[row]});
   return 0;
 }
 
 /// Splits the rows into curves.
-std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns& at, std::vector<Diagnostic>& faults) {
+std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns& at, std::vector<Diagnostic>& errors) {
   std::vector<MeasuredCurve> curves;
   std::set<CurveName> known;
   CurveName last;
-  for (std::size_t row = 0; row < columns.row_count() && faults.size() < kMostFaults; ++row) {
-    const CurveName name{whole(columns, at.rank, row, faults), whole(columns, at.lindex, row, faults),
+  for (std::size_t row = 0; row < columns.row_count() && errors.size() < kMaxErrors; ++row) {
+    const CurveName name{whole(columns, at.rank, row, errors), whole(columns, at.lindex, row, errors),
                          columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
     if (curves.empty() || name != last) {
       if (!known.insert(name).second) {
-        faults.push_back({.message = fmt::format("{} appears a second time", shown(name)),
+        errors.push_back({.message = fmt::format("{} appears a second time", shown(name)),
                           .expected = "all rows of a leaf together",
                           .line = columns.lines[row]});
       }
@@ -116,17 +115,17 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
 
 /// Calls `check` for each curve and collects the errors that it throws.
 template <class Check>
-void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::vector<Diagnostic>& faults, Check check) {
+void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::vector<Diagnostic>& errors, Check check) {
   for (MeasuredCurve& curve : curves) {
-    if (faults.size() >= limits.diagnostics) break;
+    if (errors.size() >= limits.diagnostics) break;
     try {
       check(curve);
     } catch (const InputError& error) {
-      faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
+      errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
     }
   }
-  if (faults.size() > limits.diagnostics) faults.resize(limits.diagnostics);
-  if (!faults.empty()) throw InputError(std::move(faults));
+  if (errors.size() > limits.diagnostics) errors.resize(limits.diagnostics);
+  if (!errors.empty()) throw InputError(std::move(errors));
 }
 
 /// Returns the distance below which points count as equal. Also computes the distance of each point from the point
@@ -162,7 +161,7 @@ void leave_out_repeats(MeasuredCurve& curve, double nearest, Distance distance, 
     kept.points.push_back(curve.points[k]);
     kept.lines.push_back(curve.lines[k]);
   }
-  if (found.empty() || kept.points.size() < kLeastPoints) return;
+  if (found.empty() || kept.points.size() < kMinPoints) return;
   curve = std::move(kept);
   for (Diagnostic& each : found) {
     if (warnings.size() < limits.diagnostics) warnings.push_back(std::move(each));
@@ -178,20 +177,20 @@ double mean_width(const std::vector<glm::dvec2>& points, std::size_t first, std:
 }  // namespace
 
 void check_midrib(const MeasuredCurve& midrib) {
-  CurveFaults faults(midrib);
-  check_points(midrib, "midribs", faults);
+  CurveErrors errors(midrib);
+  check_points(midrib, "midribs", errors);
   const double nearest = nearest_of_midrib(midrib);
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
     if (glm::distance(midrib.points[k - 1], midrib.points[k]) <= nearest) {
-      faults.add(k, "the point of the midrib repeats the one in the row before", "another one");
+      errors.add(k, "the point of the midrib repeats the one in the row before", "another one");
     }
   }
-  faults.throw_if_any();
+  errors.throw_if_any();
 }
 
 void check_widths(const MeasuredCurve& widths) {
-  CurveFaults faults(widths);
-  check_points(widths, "widths", faults);
+  CurveErrors errors(widths);
+  check_points(widths, "widths", errors);
   const std::vector<glm::dvec2>& points = widths.points;
   const double length = points.back().x - points.front().x;
   const double direction = length > 0 ? 1 : -1;
@@ -199,17 +198,17 @@ void check_widths(const MeasuredCurve& widths) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double step = k == 0 ? length : points[k].x - points[k - 1].x;
     if (k > 0 && std::abs(step) <= nearest) {
-      faults.add(k, fmt::format("the position s = {} repeats the one in the row before", points[k].x), "another one");
+      errors.add(k, fmt::format("the position s = {} repeats the one in the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
-      faults.add(k, fmt::format("the positions s are not sorted: {} after {}", points[k].x, points[k - 1].x),
+      errors.add(k, fmt::format("the positions s are not sorted: {} after {}", points[k].x, points[k - 1].x),
                  "positions that rise from base to tip");
     }
-    if (points[k].x < 0) faults.add(k, fmt::format("the position s = {} is negative", points[k].x), "0 or more");
-    if (points[k].y < 0) faults.add(k, fmt::format("the width {} is negative", points[k].y), "0 or more");
+    if (points[k].x < 0) errors.add(k, fmt::format("the position s = {} is negative", points[k].x), "0 or more");
+    if (points[k].y < 0) errors.add(k, fmt::format("the width {} is negative", points[k].y), "0 or more");
   }
   const bool has_width = std::ranges::any_of(points, [](glm::dvec2 point) { return point.y > 0; });
-  if (!has_width) faults.add(0, "no width is above 0", "a blade");
-  faults.throw_if_any();
+  if (!has_width) errors.add(0, "no width is above 0", "a blade");
+  errors.throw_if_any();
 }
 
 bool turn_to_base(MeasuredCurve& widths) {
@@ -237,11 +236,11 @@ std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& lim
                                         {.name = "x", .limit = kFileCoordinate},
                                         {.name = "y", .limit = kFileCoordinate}},
                                        limits);
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
   std::vector<MeasuredCurve> midribs =
-      curves_of(columns, {.rank = 0, .lindex = 1, .age = 2, .first = 3, .second = 4}, faults);
+      curves_of(columns, {.rank = 0, .lindex = 1, .age = 2, .first = 3, .second = 4}, errors);
   const auto distance = [](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, b); };
-  check_all(midribs, limits, faults, [&](MeasuredCurve& midrib) {
+  check_all(midribs, limits, errors, [&](MeasuredCurve& midrib) {
     leave_out_repeats(midrib, nearest_of_midrib(midrib), distance, "the point of the midrib", limits, warnings);
     check_midrib(midrib);
   });
@@ -258,11 +257,11 @@ std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limi
                                   {.name = "r", .limit = kFileCoordinate}},
                                  limits);
   const std::size_t rank = columns.has(0) ? 0 : 1;
-  std::vector<Diagnostic> faults;
+  std::vector<Diagnostic> errors;
   std::vector<MeasuredCurve> all =
-      curves_of(columns, {.rank = rank, .lindex = 2, .age = 3, .first = 4, .second = 5}, faults);
+      curves_of(columns, {.rank = rank, .lindex = 2, .age = 3, .first = 4, .second = 5}, errors);
   const auto distance = [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x - b.x); };
-  check_all(all, limits, faults, [&](MeasuredCurve& widths) {
+  check_all(all, limits, errors, [&](MeasuredCurve& widths) {
     leave_out_repeats(widths, nearest_of_widths(widths), distance, "the position s", limits, warnings);
     check_widths(widths);
     const int line = widths.lines.front();

@@ -11,10 +11,10 @@
 
 namespace meristem::measured_leaves_test {
 
-using Faults = std::vector<Diagnostic>;
+using Errors = std::vector<Diagnostic>;
 
 template <class Read>
-Faults faults_by(const Read& read) {
+Errors errors_by(const Read& read) {
   try {
     read();
   } catch (const InputError& error) {
@@ -24,36 +24,36 @@ Faults faults_by(const Read& read) {
 }
 
 std::vector<MeasuredCurve> midribs_in(std::string_view text) {
-  Faults warnings;
+  Errors warnings;
   return read_midribs(text, {}, warnings);
 }
 
-Faults midrib_faults(std::string_view text) {
-  return faults_by([&] { midribs_in(text); });
+Errors midrib_errors(std::string_view text) {
+  return errors_by([&] { midribs_in(text); });
 }
 
-Faults midrib_warnings(std::string_view text) {
-  Faults warnings;
+Errors midrib_warnings(std::string_view text) {
+  Errors warnings;
   read_midribs(text, {}, warnings);
   return warnings;
 }
 
-Faults width_warnings(std::string_view text) {
-  Faults warnings;
+Errors width_warnings(std::string_view text) {
+  Errors warnings;
   read_widths(text, {}, warnings);
   return warnings;
 }
 
-Faults width_faults(std::string_view text) {
-  Faults warnings;
-  return faults_by([&] { read_widths(text, {}, warnings); });
+Errors width_errors(std::string_view text) {
+  Errors warnings;
+  return errors_by([&] { read_widths(text, {}, warnings); });
 }
 
 /// Succeeds if there is exactly one error, at `line` and with `message` in its text.
-testing::AssertionResult is_one(const Faults& faults, int line, std::string_view message) {
-  if (faults.size() != 1) return testing::AssertionFailure() << faults.size() << " faults";
-  const bool holds = faults[0].line == line && faults[0].message.find(message) != std::string::npos;
-  return holds ? testing::AssertionSuccess() : testing::AssertionFailure() << faults[0].text();
+testing::AssertionResult is_one(const Errors& errors, int line, std::string_view message) {
+  if (errors.size() != 1) return testing::AssertionFailure() << errors.size() << " faults";
+  const bool holds = errors[0].line == line && errors[0].message.find(message) != std::string::npos;
+  return holds ? testing::AssertionSuccess() : testing::AssertionFailure() << errors[0].text();
 }
 
 MeasuredCurve curve(std::vector<glm::dvec2> points) { return {.points = std::move(points)}; }
@@ -81,7 +81,7 @@ TEST(MeasuredLeaves, ATextWithoutNamesIsOneLeaf) {
 
 TEST(MeasuredLeaves, WidthsKnowRanksOrClassesOfThem) {
   for (const std::string name : {"rank", "rankclass"}) {
-    Faults warnings;
+    Errors warnings;
     const auto widths = read_widths(name + ",s,r\n2,0,.5\n2,.5,1\n2,1,0\n3,0,.6\n3,.5,1\n3,1,0\n", {}, warnings);
     ASSERT_EQ(widths.size(), 2U);
     EXPECT_EQ(widths[1].rank, 3);
@@ -90,21 +90,21 @@ TEST(MeasuredLeaves, WidthsKnowRanksOrClassesOfThem) {
 }
 
 TEST(MeasuredLeaves, RejectsRowsOfALeafThatStandApart) {
-  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,2\n2,0,0\n2,1,1\n2,2,2\n1,3,3\n1,4,4\n1,5,5\n"), 8,
+  EXPECT_TRUE(is_one(midrib_errors("rank,x,y\n1,0,0\n1,1,1\n1,2,2\n2,0,0\n2,1,1\n2,2,2\n1,3,3\n1,4,4\n1,5,5\n"), 8,
                      "rank 1 appears a second time"));
 }
 
 TEST(MeasuredLeaves, RejectsARankThatIsNoWholeNumber) {
-  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is not a whole number"));
+  EXPECT_TRUE(is_one(midrib_errors("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is not a whole number"));
 }
 
 TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
-  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,1\n2,0,0\n2,1,1\n"), 5, "2 points"));
+  EXPECT_TRUE(is_one(midrib_errors("rank,x,y\n1,0,0\n1,1,1\n1,2,1\n2,0,0\n2,1,1\n"), 5, "2 points"));
 }
 
 TEST(MeasuredLeaves, PointsThatAreRepeatedAreLeftOutWithAWarningThatNamesLeafAndLine) {
   const std::string text = "rank,lindex,x,y\n1,7,0,0\n1,7,1,1\n1,7,1,1\n1,7,1,1\n1,7,2,1\n2,1,0,0\n2,1,1,1\n2,1,2,3\n";
-  const Faults warnings = midrib_warnings(text);
+  const Errors warnings = midrib_warnings(text);
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0].severity, Severity::warning);
   EXPECT_EQ(warnings[0].line, 4);
@@ -125,42 +125,42 @@ TEST(MeasuredLeaves, PointsNearerThanNumbersTellApartAreRepeated) {
 }
 
 TEST(MeasuredLeaves, RejectsRepeatedPointsWhereTooFewAreLeft) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n"), 4, "the one in the row before"));
+  EXPECT_TRUE(is_one(midrib_errors("x,y\n0,0\n1,1\n1,1\n"), 4, "the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1e200,1\n"), 4, "out of range"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,1\n2,1e200\n"), 4, "out of range"));
+  EXPECT_TRUE(is_one(midrib_errors("x,y\n0,0\n1,1\n1e200,1\n"), 4, "out of range"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,1\n1,1\n2,1e200\n"), 4, "out of range"));
 }
 
 TEST(MeasuredLeaves, OfWidthsAtAPositionThatIsRepeatedTheFirstHolds) {
   const std::string text = "rank,s,r\n3,0,1\n3,0.5,1\n3,0.5,0.9\n3,1,0\n";
   EXPECT_TRUE(is_one(width_warnings(text), 4, "rank 3: the position s repeats the one before it and is left out"));
-  Faults warnings;
+  Errors warnings;
   EXPECT_EQ(read_widths(text, {}, warnings)[0].points, (std::vector<glm::dvec2>{{0, 1}, {0.5, 1}, {1, 0}}));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n"), 4, "s = 0.5 repeats the one in the row before"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,1\n0.5,1\n0.5,0.9\n"), 4, "s = 0.5 repeats the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsPlacesThatAreNotSorted) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.4,0.9\n1,0\n"), 4, "not sorted: 0.4 after 0.5"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,1\n0.5,1\n0.4,0.9\n1,0\n"), 4, "not sorted: 0.4 after 0.5"));
 }
 
 TEST(MeasuredLeaves, RejectsNegativePlacesAndWidths) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n-0.5,1\n0.5,1\n1,0\n"), 2, "s = -0.5 is negative"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,-1\n1,0\n"), 3, "the width -1 is negative"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n-0.5,1\n0.5,1\n1,0\n"), 2, "s = -0.5 is negative"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,1\n0.5,-1\n1,0\n"), 3, "the width -1 is negative"));
 }
 
 TEST(MeasuredLeaves, RejectsProfilesWithoutWidthOrRows) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,0\n0.5,0\n1,0\n"), 2, "no width"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,0\n"), 2, "2 points"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,0\n0.5,0\n1,0\n"), 2, "no width"));
+  EXPECT_TRUE(is_one(width_errors("s,r\n0,1\n1,0\n"), 2, "2 points"));
 }
 
 TEST(MeasuredLeaves, RejectsColumnsThatAreNotThere) {
-  const Faults faults = midrib_faults("rank,X,z\n1,0,0\n");
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_EQ(faults[0].message, "there is no column 'x'");
-  EXPECT_EQ(faults[0].line, 1);
-  EXPECT_TRUE(is_one(width_faults("s,width\n0,1\n"), 1, "there is no column 'r'"));
+  const Errors errors = midrib_errors("rank,X,z\n1,0,0\n");
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].message, "there is no column 'x'");
+  EXPECT_EQ(errors[0].line, 1);
+  EXPECT_TRUE(is_one(width_errors("s,width\n0,1\n"), 1, "there is no column 'r'"));
 }
 
 TEST(MeasuredLeaves, TellsTheFaultsOfAllLeavesAtOnceUpToTheLimit) {
@@ -168,20 +168,20 @@ TEST(MeasuredLeaves, TellsTheFaultsOfAllLeavesAtOnceUpToTheLimit) {
   for (int rank = 0; rank < 200; ++rank) {
     for (int row = 0; row < 3; ++row) text += fmt::format("{},1,1\n", rank);
   }
-  const Faults faults = midrib_faults(text);
-  EXPECT_EQ(faults.size(), Limits{}.diagnostics);
-  EXPECT_EQ(faults[2].line, 6);
+  const Errors errors = midrib_errors(text);
+  EXPECT_EQ(errors.size(), Limits{}.diagnostics);
+  EXPECT_EQ(errors[2].line, 6);
   text = "rank,x,y\n";
   for (int row = 0; row < 300; ++row) text += fmt::format("0.5,{},1\n", row);
-  EXPECT_EQ(midrib_faults(text).size(), Limits{}.diagnostics);
+  EXPECT_EQ(midrib_errors(text).size(), Limits{}.diagnostics);
 }
 
 TEST(MeasuredLeaves, CurvesWithoutLinesNameTheRow) {
-  const Faults faults = faults_by([] { check_midrib(curve({{0, 0}, {1, 1}, {1, 1}})); });
-  EXPECT_TRUE(is_one(faults, 0, "row 2: "));
+  const Errors errors = errors_by([] { check_midrib(curve({{0, 0}, {1, 1}, {1, 1}})); });
+  EXPECT_TRUE(is_one(errors, 0, "row 2: "));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(faults_by([&] { check_midrib(curve({{0, 0}, {1, nan}, {2, 1}})); }).size(), 1U);
-  EXPECT_EQ(faults_by([&] { check_widths(curve({{0, 1}, {1, nan}, {2, 1}})); }).size(), 1U);
+  EXPECT_EQ(errors_by([&] { check_midrib(curve({{0, 0}, {1, nan}, {2, 1}})); }).size(), 1U);
+  EXPECT_EQ(errors_by([&] { check_widths(curve({{0, 1}, {1, nan}, {2, 1}})); }).size(), 1U);
 }
 
 // One blade, listed in three possible ways.
@@ -212,7 +212,7 @@ TEST(MeasuredLeaves, PlacesFromTheTipAreTurnedAbout) {
 }
 
 TEST(MeasuredLeaves, TurningIsToldAsAWarningAtTheFirstRow) {
-  Faults warnings;
+  Errors warnings;
   const auto widths =
       read_widths("rankclass,s,r\n1,0,.6\n1,.5,1\n1,1,0\n2,1,0\n2,.5,1\n2,0,.6\n3,0,0\n3,.5,1\n3,1,.6\n", {}, warnings);
   ASSERT_EQ(warnings.size(), 2U);
@@ -234,7 +234,7 @@ TEST(MeasuredLeaves, FilesOfWidthsAllReadWithoutWarnings) {
   for (const auto& [file, classes] :
        data_sets<std::size_t>({{"tests/data/grass/widths.csv", 6}, {"tests/data/grass/few_widths.csv", 2}},
                               {{"grass/SRSo.csv", 6}, {"grass/srdb_GrignonMercia2010.csv", 2}})) {
-    Faults warnings;
+    Errors warnings;
     EXPECT_EQ(read_widths(read_file(file, Limits{}.file_bytes), {}, warnings).size(), classes) << file;
     EXPECT_TRUE(warnings.empty()) << file;
   }

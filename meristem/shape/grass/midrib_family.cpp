@@ -15,7 +15,7 @@ namespace meristem {
 namespace {
 
 constexpr double kSharp = 2 * kPi / 3;  // radians; a larger turn may be a fold to either side
-constexpr double kLeastShare = 1e-6;    // minimum visible share of the length
+constexpr double kMinShare = 1e-6;      // minimum visible share of the length
 
 /// Returns the value at `place` from a list with a number for the middle of each equal piece. Constant beyond the
 /// outermost middles.
@@ -97,7 +97,7 @@ double visible_share(double age, double full_age) { return std::clamp(age / full
 
 GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, double full_age) {
   const double visible = visible_share(age, full_age);
-  if (visible < kLeastShare) return unseen(leaf);
+  if (visible < kMinShare) return unseen(leaf);
   const std::size_t pieces = family.piece_count();
   const std::vector<double> whole = family.angles(age);
   GrassLeaf now{.length = visible * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
@@ -118,7 +118,7 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
 // angles.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age) {
-  if (!(step > 0) || !(time / step <= kMostLifeSteps)) {
+  if (!(step > 0) || !(time / step <= kMaxLifeSteps)) {
     throw std::invalid_argument("the steps of a leaf's life must be above 0, and at most 100,000 in number");
   }
   struct Tissue {
@@ -147,7 +147,7 @@ GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, 
     }
   }
   const double visible = tissue.back().from_tip, grown = tissue.back().length;
-  if (visible < kLeastShare || grown < kLeastShare) return unseen(leaf);
+  if (visible < kMinShare || grown < kMinShare) return unseen(leaf);
 
   // Lay out the emerged tissue from the base to the tip.
   const std::size_t pieces = family.piece_count();

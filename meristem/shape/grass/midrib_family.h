@@ -54,11 +54,11 @@ struct GrowthRates {
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
 /// Maximum number of steps of one life.
-inline constexpr double kMostLifeSteps = 100'000;
+inline constexpr double kMaxLifeSteps = 100'000;
 
 /// Returns the leaf after a life up to `time` in steps of `step`, each with its own rates. With rates of 1 the result
 /// equals the aged leaf. Negative rates of age, length and width count as 0. A negative bend turns pieces the other
-/// way. Throws std::invalid_argument for a step that is not above 0, or for more than kMostLifeSteps steps. Based on:
+/// way. Throws std::invalid_argument for a step that is not above 0, or for more than kMaxLifeSteps steps. Based on:
 /// Fournier and Pradal (2012), section 2.4.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age = 1);

@@ -27,21 +27,21 @@ double squared_distance(const std::vector<double>& x, const std::vector<double>&
 }
 
 /// Finds the minimum of many numbers. Ties go to the lower index.
-class LeastOf {
+class MinOf {
  public:
-  explicit LeastOf(std::size_t count)
-      : leaves_(std::bit_ceil(count)), least_(2 * leaves_, kUnreachable), index_(2 * leaves_) {
+  explicit MinOf(std::size_t count)
+      : leaves_(std::bit_ceil(count)), min_(2 * leaves_, kUnreachable), index_(2 * leaves_) {
     for (std::size_t k = 0; k < leaves_; ++k) index_[leaves_ + k] = static_cast<std::uint32_t>(k);
   }
 
   /// Must be called before `compare_all`.
-  void place(std::size_t index, double number) { least_[leaves_ + index] = number; }
+  void place(std::size_t index, double number) { min_[leaves_ + index] = number; }
   void compare_all() {
     for (std::size_t node = leaves_; --node > 0;) compare(node);
   }
   /// Sets three numbers and updates their comparisons together.
   void set(std::array<std::size_t, 3> indices, std::array<double, 3> numbers) {
-    for (std::size_t k = 0; k < 3; ++k) least_[leaves_ + indices[k]] = numbers[k];
+    for (std::size_t k = 0; k < 3; ++k) min_[leaves_ + indices[k]] = numbers[k];
     std::size_t a = leaves_ + indices[0], b = leaves_ + indices[1], c = leaves_ + indices[2];
     while (a > 1) {
       compare(a /= 2);
@@ -50,20 +50,20 @@ class LeastOf {
     }
   }
   std::uint32_t index() const { return index_[1]; }
-  double least() const { return least_[1]; }
+  double min() const { return min_[1]; }
 
  private:
   void compare(std::size_t node) {
-    const double left = least_[2 * node], right = least_[2 * node + 1];
+    const double left = min_[2 * node], right = min_[2 * node + 1];
     const std::uint32_t left_index = index_[2 * node], right_index = index_[2 * node + 1];
     const bool is_right = right < left;
-    least_[node] = is_right ? right : left;
+    min_[node] = is_right ? right : left;
     index_[node] = is_right ? right_index : left_index;
   }
 
   std::size_t leaves_;
   // For each node of the tree, the minimum below it and its index.
-  std::vector<double> least_;
+  std::vector<double> min_;
   std::vector<std::uint32_t> index_;
 };
 
@@ -96,7 +96,7 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
     return square;
   };
 
-  LeastOf errors(count);
+  MinOf errors(count);
   for (std::size_t k = 1; k + 1 < count; ++k) errors.place(k, squared_error(k));
   errors.compare_all();
   ReductionOrder order;
@@ -105,7 +105,7 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
   double largest = 0;
   for (std::size_t step = 2; step < count; ++step) {
     const std::uint32_t gone = errors.index();
-    largest = std::max(largest, errors.least());
+    largest = std::max(largest, errors.min());
     order.points.push_back(gone);
     order.errors.push_back(std::sqrt(largest));
     const std::uint32_t a = before[gone], b = after[gone];

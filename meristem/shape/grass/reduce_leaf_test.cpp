@@ -32,15 +32,15 @@ ReductionOrder plain_order(const GrassLeaf& leaf, const std::vector<std::vector<
   double largest = 0;
   while (left.size() > 2) {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i + 1 < left.size(); ++i) {
       const std::size_t a = left[i - 1], k = left[i], b = left[i + 1];
       double square = std::pow(distance_to_chord(leaf.x, leaf.y, a, k, b), 2) +
                       std::pow(distance_to_chord(leaf.s, leaf.r, a, k, b), 2);
       for (const std::vector<double>& list : also) square += std::pow(distance_to_chord(leaf.s, list, a, k, b), 2);
-      if (square < least) least = square, best = i;
+      if (square < min) min = square, best = i;
     }
-    largest = std::max(largest, std::sqrt(least));
+    largest = std::max(largest, std::sqrt(min));
     order.points.push_back(left[best]);
     order.errors.push_back(largest);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));

@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostHalvings = 40;       // halvings
+constexpr int kMaxHalvings = 40;        // halvings
 constexpr double kPointError = 1e-3;    // share of a cell
 constexpr double kSlopeStep = 0.05;     // share of a cell
 constexpr double kGradientReach = 0.2;  // in cells: distance outside the surface up to which values must be exact, for
@@ -34,13 +34,13 @@ class BodyFiller {
         gaps_(blend_gaps(body, kPointError * grid.spacing)),
         pruner_(body, gaps_, kGradientReach * grid.spacing),
         sampler_(body),
-        levels_(kMostHalvings) {}
+        levels_(kMaxHalvings) {}
 
   std::vector<BodyPoint> run() {
     const DVec3 first = glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing);
     const DVec3 last = glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing);
     const DVec3 farthest = glm::max(glm::abs(first), glm::abs(last));
-    if (!(std::max({farthest.x, farthest.y, farthest.z}) <= 2 * kMostBodyCells)) {
+    if (!(std::max({farthest.x, farthest.y, farthest.z}) <= 2 * kMaxBodyCells)) {
       throw std::invalid_argument("a body has too many cells for sites");
     }
     const glm::ivec3 low(first);
@@ -68,7 +68,7 @@ class BodyFiller {
     std::array<std::vector<FieldStep>, 8>& kept = levels_[depth];
     pruner_.keep(open, 0, kept);
     for (int k = 0; k < 8; ++k) {
-      if ((open >> k & 1) == 0 || places_.size() > grid_.most) continue;
+      if ((open >> k & 1) == 0 || places_.size() > grid_.max) continue;
       const glm::ivec3 corner = at + side / 2 * corner_of(k);
       if (side == 2) {
         place(corner, kept[k], middle);

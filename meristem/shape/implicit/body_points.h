@@ -14,14 +14,14 @@
 namespace meristem {
 
 /// Maximum number of cells along one side of a grid.
-inline constexpr double kMostBodyCells = 1 << 29;
+inline constexpr double kMaxBodyCells = 1 << 29;
 
 /// The grid of points in a body.
 struct BodyGrid {
-  DVec3 origin{0};                   ///< a corner of the grid's cells
-  double spacing = 1;                ///< length of a cell's side, metres
-  double depth = 1e9;                ///< maximum depth of points below the surface, metres
-  std::uint64_t most = 0xffffffffU;  ///< maximum number of points; the search stops after one more
+  DVec3 origin{0};                  ///< a corner of the grid's cells
+  double spacing = 1;               ///< length of a cell's side, metres
+  double depth = 1e9;               ///< maximum depth of points below the surface, metres
+  std::uint64_t max = 0xffffffffU;  ///< maximum number of points; the search stops after one more
 };
 
 struct BodyPoint {
@@ -33,7 +33,7 @@ struct BodyPoint {
 /// Returns one random point in each cell of a grid, drawn by `key`, if the point lies in the body. The density is
 /// therefore equal everywhere. The point of a cell does not depend on other cells. The cost depends on the points and
 /// the body's surface, not on the size of its box. Throws Cancelled, and std::invalid_argument for more than
-/// kMostBodyCells along the body's box.
+/// kMaxBodyCells along the body's box.
 std::vector<BodyPoint> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress);
 
 }  // namespace meristem

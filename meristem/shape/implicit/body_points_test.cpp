@@ -87,7 +87,7 @@ TEST(BodyPoints, StayWhereTheBodyGrowsElsewhere) {
 }
 
 TEST(BodyPoints, StopOnePastTheMost) {
-  EXPECT_EQ(places(ImplicitBody::sphere({0, 0, 0}, 1), {.spacing = 0.01, .most = 100}).size(), 101U);
+  EXPECT_EQ(places(ImplicitBody::sphere({0, 0, 0}, 1), {.spacing = 0.01, .max = 100}).size(), 101U);
 }
 
 TEST(BodyPoints, NothingHasNone) { EXPECT_TRUE(places(ImplicitBody(), {.spacing = 0.1}).empty()); }

@@ -15,14 +15,14 @@ namespace meristem {
 
 namespace {
 
-constexpr double kFieldError = 1e-4;    // share of a cell
-constexpr double kExactReach = 2;       // in cells: distance from the surface up to which values must be exact; ends of
-                                        // edges have 1
-constexpr double kSafety = 1e-2;        // in cells: minimum distance from the surface of a region that is skipped
-constexpr std::size_t kChunks = 192;    // minimum number of regions to distribute
-constexpr double kMargin = 2;           // cells around the body
-constexpr double kMostCells = 1 << 28;  // maximum number of cells along a body with its blends
-constexpr int kMostDepth = 40;          // maximum number of halvings
+constexpr double kFieldError = 1e-4;   // share of a cell
+constexpr double kExactReach = 2;      // in cells: distance from the surface up to which values must be exact; ends of
+                                       // edges have 1
+constexpr double kSafety = 1e-2;       // in cells: minimum distance from the surface of a region that is skipped
+constexpr std::size_t kChunks = 192;   // minimum number of regions to distribute
+constexpr double kMargin = 2;          // cells around the body
+constexpr double kMaxCells = 1 << 28;  // maximum number of cells along a body with its blends
+constexpr int kMaxDepth = 40;          // maximum number of halvings
 
 constexpr double kHalfDiagonal = 0.866;  // of a cube of side 1, slightly less than sqrt(3) / 2
 constexpr int kBlockSide = kBrickSide / 2;
@@ -83,7 +83,7 @@ class Descent {
         progress_(progress),
         pruner_(body, gaps, kExactReach * bricks.grid.cell),
         sampler_(body),
-        levels_(kMostDepth) {}
+        levels_(kMaxDepth) {}
 
   /// Returns the eighths of a region that may contain surface.
   std::vector<Region> halved(const Region& region) {
@@ -192,8 +192,8 @@ Region whole_region(const ImplicitBody& body, BodyBricks& bricks, const std::str
   bricks.grid.origin = body.low() - margin;
   const DVec3 size = body.high() + margin - bricks.grid.origin;
   const double longest = std::max({size.x, size.y, size.z});
-  if (!(longest <= kMostCells * cell)) {
-    throw_limit("cells along a body", longest / cell, static_cast<std::uint64_t>(kMostCells), "mesh_bytes", path);
+  if (!(longest <= kMaxCells * cell)) {
+    throw_limit("cells along a body", longest / cell, static_cast<std::uint64_t>(kMaxCells), "mesh_bytes", path);
   }
   Region region{.side = 2};
   while (region.side * kBlockSide * cell < longest) region.side *= 2;

@@ -22,14 +22,14 @@ namespace {
 
 constexpr int kSide = kBrickSide;
 constexpr int kRows = kSide * kSide;
-constexpr double kFromEnds = 1e-3;      // share of an edge: minimum distance of vertices from its ends
-constexpr double kMostFromEnds = 0.25;  // maximum of this distance, far from the origin
-constexpr double kRounding = 1e-6;      // share of a coordinate, several float steps
-constexpr double kInnerHeight = 0.02;   // in cells: distance that inner points keep, if possible, from lines between
-                                        // other points
+constexpr double kFromEnds = 1e-3;     // share of an edge: minimum distance of vertices from its ends
+constexpr double kMaxFromEnds = 0.25;  // maximum of this distance, far from the origin
+constexpr double kRounding = 1e-6;     // share of a coordinate, several float steps
+constexpr double kInnerHeight = 0.02;  // in cells: distance that inner points keep, if possible, from lines between
+                                       // other points
 constexpr int kInnerTries = 6;
 constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
-constexpr std::uint64_t kMostVertices = 0x7fffffffU;
+constexpr std::uint64_t kMaxVertices = 0x7fffffffU;
 
 /// Returns the lower end of a cell's edge.
 glm::ivec3 edge_start(int edge) {
@@ -123,7 +123,7 @@ class BrickMesher {
     }
     // If coordinates are large relative to the cells, rounding must not join vertices.
     const double rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z}) / grid.cell;
-    from_ends_ = std::clamp(rounding, kFromEnds, kMostFromEnds);
+    from_ends_ = std::clamp(rounding, kFromEnds, kMaxFromEnds);
   }
 
   BrickMesh run(const Limits& limits, const std::string& path) {
@@ -131,7 +131,7 @@ class BrickMesher {
     each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_edges(chunk, brick); });
     const std::uint64_t vertices = number_vertices();
     // A closed mesh has about two triangles per vertex.
-    if (2 * vertices > limits.triangles || vertices > kMostVertices) {
+    if (2 * vertices > limits.triangles || vertices > kMaxVertices) {
       throw_limit("triangles at this resolution", 2.0 * static_cast<double>(vertices), limits.triangles, "triangles",
                   path);
     }

@@ -61,9 +61,9 @@ class Extraction {
     const std::size_t low = corner(cell, c), high = corner(cell, d);
     const auto [found, is_new] = points_.try_emplace({low, edge / 4}, 0);
     if (!is_new) return found->second;
-    constexpr double kMost = std::numeric_limits<float>::max();
-    const double a = std::clamp<double>(grid_.values[low], -kMost, kMost);
-    const double b = std::clamp<double>(grid_.values[high], -kMost, kMost);
+    constexpr double kMax = std::numeric_limits<float>::max();
+    const double a = std::clamp<double>(grid_.values[low], -kMax, kMax);
+    const double b = std::clamp<double>(grid_.values[high], -kMax, kMax);
     const double t = std::clamp(a / (a - b), margin_, 1 - margin_);
     return found->second = add_point(glm::mix(position(low), position(high), t));
   }

@@ -25,9 +25,9 @@ using Values = std::array<double, 8>;
 
 /// Replaces infinite values, whose products would have no value.
 Values finite(std::span<const float, 8> values) {
-  constexpr float kMost = std::numeric_limits<float>::max();
+  constexpr float kMax = std::numeric_limits<float>::max();
   Values result;
-  for (int c = 0; c < 8; ++c) result[c] = std::clamp(values[c], -kMost, kMost);
+  for (int c = 0; c < 8; ++c) result[c] = std::clamp(values[c], -kMax, kMax);
   return result;
 }
 

@@ -252,9 +252,9 @@ TEST(CellSurface, IsMadeOnceHoweverManyThreadsMeetItFirst) {
 }
 
 TEST(CellSurface, TakesInfiniteValuesForTheLargest) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity(), kMost = std::numeric_limits<float>::max();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity(), kMax = std::numeric_limits<float>::max();
   const Corners infinite{-kInfinity, kInfinity, 0, -1, kInfinity, -kInfinity, -kInfinity, 2};
-  const Corners largest{-kMost, kMost, 0, -1, kMost, -kMost, -kMost, 2};
+  const Corners largest{-kMax, kMax, 0, -1, kMax, -kMax, -kMax, 2};
   EXPECT_EQ(&cell_surface(infinite), &cell_surface(largest));
 }
 

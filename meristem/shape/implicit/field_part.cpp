@@ -169,16 +169,15 @@ void FieldPruner::bound_operation(const BodyClause& clause, const Ranges& a, con
   if (clause.kind == Kind::pasko) {
     // The function falls where a side rises from below to 0: the smallest displacement belongs to the largest sizes.
     const auto width = static_cast<float>(clause.width);
-    const auto least = [](float low, float high) { return low > 0 ? low : high < 0 ? high : 0.0F; };
+    const auto min = [](float low, float high) { return low > 0 ? low : high < 0 ? high : 0.0F; };
     for (int k = 0; k < kParts; ++k) {
       const auto displacement = [&](float x, float y) {
         return 0.25F * width * width * width / (width * width + x * x + y * y);
       };
-      const float most_a = std::max(std::abs(a.low[k]), std::abs(a.high[k]));
-      const float most_b = std::max(std::abs(b.low[k]), std::abs(b.high[k]));
-      ranges.low[k] =
-          std::min(a.low[k], b.low[k]) - displacement(least(a.low[k], a.high[k]), least(b.low[k], b.high[k]));
-      ranges.high[k] = std::min(a.high[k], b.high[k]) - displacement(most_a, most_b);
+      const float max_a = std::max(std::abs(a.low[k]), std::abs(a.high[k]));
+      const float max_b = std::max(std::abs(b.low[k]), std::abs(b.high[k]));
+      ranges.low[k] = std::min(a.low[k], b.low[k]) - displacement(min(a.low[k], a.high[k]), min(b.low[k], b.high[k]));
+      ranges.high[k] = std::min(a.high[k], b.high[k]) - displacement(max_a, max_b);
     }
     return;
   }
@@ -234,7 +233,7 @@ std::uint32_t FieldPruner::drop_sides(std::size_t step, float inset) {
   Cutoffs& left = cutoffs_[step - 1 - steps_[step - 1].size];
   const Ranges& a = ranges_[step - 1 - steps_[step - 1].size];
   const Ranges& b = ranges_[step - 1];
-  const Lanes& most = ranges_[step].high;
+  const Lanes& max = ranges_[step].high;
   using Bits = std::array<std::int32_t, kParts>;
   constexpr Bits kBit{1, 2, 4, 8, 16, 32, 64, 128};
   Bits has_left, has_right;
@@ -245,7 +244,7 @@ std::uint32_t FieldPruner::drop_sides(std::size_t step, float inset) {
     for (int k = 0; k < kParts; ++k) {
       const float a_low = a.low[k], b_low = b.low[k];
       const float high_before = cutoffs.high[k], gap_before = cutoffs.gap[k];
-      const float high = most[k] - inset;
+      const float high = max[k] - inset;
       const float gap = gap_before > own ? gap_before : own;
       const bool is_lower = high + own < high_before + gap;
       highs[k] = is_lower ? high : high_before;

@@ -86,11 +86,11 @@ TEST(ImplicitBody, ValuesOfARoundConeAreDistances) {
   // A point of a ball around the axis counts if it lies in no other ball.
   const auto radius = [](double along) { return 0.8 - 0.3 * along; };
   const auto by_balls = [&](double across, double along) {
-    double least = kInfinity;
+    double min = kInfinity;
     for (int k = 0; k <= 1000; ++k) {
-      least = std::min(least, std::hypot(across, along - 0.002 * k) - radius(0.002 * k));
+      min = std::min(min, std::hypot(across, along - 0.002 * k) - radius(0.002 * k));
     }
-    return least;
+    return min;
   };
   std::vector<std::array<double, 2>> profile;
   const double flank = std::asin(0.3);

@@ -20,8 +20,8 @@ namespace meristem {
 
 namespace {
 
-constexpr int kLeastResolution = 10;
-constexpr int kMostResolution = 1024;
+constexpr int kMinResolution = 10;
+constexpr int kMaxResolution = 1024;
 constexpr double kGradientStep = 0.25;  // share of a cell
 
 /// Computes normals from a body's function, with four values around each position.
@@ -128,7 +128,7 @@ double cell_size(const ImplicitBody& body, int resolution) {
 
 Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const Limits& limits,
                         const std::string& path, Progress& progress) {
-  require(options.resolution >= kLeastResolution && options.resolution <= kMostResolution,
+  require(options.resolution >= kMinResolution && options.resolution <= kMaxResolution,
           "a resolution must be 10 to 1024 cells");
   if (body.is_empty()) return {};
   const double cell = cell_size(body, options.resolution);

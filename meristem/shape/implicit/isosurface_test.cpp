@@ -166,8 +166,8 @@ TEST(Isosurface, AnyFieldOfSmallNumbersIsClosed) {
 TEST(Isosurface, TakesNumbersThatAreNone) {
   const float infinity = std::numeric_limits<float>::infinity();
   const float largest = std::numeric_limits<float>::max();
-  const float least = std::numeric_limits<float>::denorm_min();
-  const std::array<float, 10> odd{infinity, -infinity, std::nanf(""), largest, -largest, least, -least, 0.0F, -0.0F, 1};
+  const float min = std::numeric_limits<float>::denorm_min();
+  const std::array<float, 10> odd{infinity, -infinity, std::nanf(""), largest, -largest, min, -min, 0.0F, -0.0F, 1};
   const RandomKey key(22);
   for (std::uint64_t k = 0; k < 20; ++k) {
     SampledField field{.size = {9, 8, 7}};
@@ -235,7 +235,7 @@ TEST(Isosurface, NormalsOfSmoothBodiesLieInFrontOfTheirTriangles) {
 }
 
 /// Returns a tree's body: a chain of cones, each blended with all cones before it over some cells.
-ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double most_width) {
+ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double max_width) {
   ImplicitBody body;
   DVec3 from(0);
   std::vector<DVec3> ends{from};
@@ -244,7 +244,7 @@ ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double most_wid
     from = ends[static_cast<std::size_t>(draw.uniform(0, 0, static_cast<double>(ends.size())))];
     const DVec3 to = from + draw.uniform(1, 0.2, 1) * DVec3(draw.direction(2));
     const double radius = draw.uniform(3, 0.02, 0.2);
-    const double width = draw.uniform(4) < 0.2 ? 0 : draw.uniform(5, 0, most_width);
+    const double width = draw.uniform(4) < 0.2 ? 0 : draw.uniform(5, 0, max_width);
     body.blend(k % 5 == 0 ? ImplicitBody::flat_cone(from, radius, to, 0.5 * radius)
                           : ImplicitBody::round_cone(from, radius, to, draw.uniform(6, 0, radius)),
                kind, width);
@@ -372,7 +372,7 @@ TEST(Isosurface, TakesResolutionsOf10To1024) {
   EXPECT_TRUE(check_mesh(surface_of(rod, {.resolution = 1024})));
 }
 
-std::string fault_of(const ImplicitBody& body, const Limits& limits) {
+std::string error_of(const ImplicitBody& body, const Limits& limits) {
   try {
     surface_of(body, {.resolution = 100}, limits);
   } catch (const InputError& error) {
@@ -383,20 +383,20 @@ std::string fault_of(const ImplicitBody& body, const Limits& limits) {
 
 TEST(Isosurface, LimitsAreFaultsAtThePath) {
   const ImplicitBody ball = ImplicitBody::sphere({}, 1);
-  EXPECT_EQ(fault_of(ball, {}), "no error");
-  const std::string triangles = fault_of(ball, {.triangles = 1000});
+  EXPECT_EQ(error_of(ball, {}), "no error");
+  const std::string triangles = error_of(ball, {.triangles = 1000});
   EXPECT_EQ(triangles.find("components.tree.surface.resolution: "), 0U) << triangles;
   EXPECT_NE(triangles.find("limits.triangles"), std::string::npos) << triangles;
   std::string bytes;
   for (const int threads : {1, 2, 8}) {
     const ThreadLimit limit(threads);
-    const std::string fault = fault_of(ball, {.mesh_bytes = 100'000});
-    EXPECT_EQ(fault.find("components.tree.surface.resolution: "), 0U) << fault;
-    EXPECT_NE(fault.find("limits.mesh_bytes"), std::string::npos) << fault;
+    const std::string error = error_of(ball, {.mesh_bytes = 100'000});
+    EXPECT_EQ(error.find("components.tree.surface.resolution: "), 0U) << error;
+    EXPECT_NE(error.find("limits.mesh_bytes"), std::string::npos) << error;
     if (threads > 1) {
-      EXPECT_EQ(fault, bytes);
+      EXPECT_EQ(error, bytes);
     }
-    bytes = fault;
+    bytes = error;
   }
   EXPECT_THROW(surface_of(field_of(20, [](DVec3) { return -1; }), 0, {.mesh_bytes = 20'000}), InputError);
   EXPECT_THROW(surface_of(field_of(20, [](DVec3) { return -1; }), 0, {.triangles = 1000}), InputError);

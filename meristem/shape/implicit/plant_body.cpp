@@ -61,8 +61,8 @@ void flare(std::vector<AxisPoint>& points, const Surface& surface) {
 }
 
 /// Returns the space below a root's base. It is removed, so that the round ends of cones do not protrude there.
-ImplicitBody below_base(std::span<const AxisPoint> points, double least_radius) {
-  double widest = least_radius;
+ImplicitBody below_base(std::span<const AxisPoint> points, double min_radius) {
+  double widest = min_radius;
   for (const AxisPoint& point : points) widest = std::max(widest, point.radius);
   const auto half = static_cast<float>(2 * widest);
   for (const AxisPoint& point : points) {
@@ -76,19 +76,19 @@ ImplicitBody below_base(std::span<const AxisPoint> points, double least_radius) 
 }
 
 /// Returns the cones of one axis. Empty if the axis has no length or no thickness.
-ImplicitBody axis_body(std::span<const AxisPoint> points, bool is_root, double least_radius) {
+ImplicitBody axis_body(std::span<const AxisPoint> points, bool is_root, double min_radius) {
   ImplicitBody body;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const DVec3 from = points[i].position;
     const DVec3 to = points[i + 1].position;
-    const double from_radius = std::max(points[i].radius, least_radius);
-    const double to_radius = std::max(points[i + 1].radius, least_radius);
+    const double from_radius = std::max(points[i].radius, min_radius);
+    const double to_radius = std::max(points[i + 1].radius, min_radius);
     if (!(std::max(from_radius, to_radius) > 0)) continue;
     const bool is_flat = is_root && i == 0 && glm::distance(from, to) > 0;
     body.unite(is_flat ? ImplicitBody::flat_cone(from, from_radius, to, to_radius)
                        : ImplicitBody::round_cone(from, from_radius, to, to_radius));
   }
-  if (is_root && !body.is_empty()) body.subtract(below_base(points, least_radius));
+  if (is_root && !body.is_empty()) body.subtract(below_base(points, min_radius));
   return body;
 }
 
@@ -103,7 +103,7 @@ bool is_root_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
 }  // namespace
 
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
-                            double least_radius, Vec3 origin) {
+                            double min_radius, Vec3 origin) {
   const Axes nodes(skeleton);
   // Thick axes first: later blends then reach less far.
   std::vector<AxisIndex> sorted(axes.begin(), axes.end());
@@ -115,8 +115,8 @@ ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex>
     std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), origin);
     const bool is_root = is_root_axis(skeleton, nodes.of(axis));
     if (is_root) flare(points, surface);
-    const double thick = std::max(first_radius(skeleton, nodes.of(axis)), least_radius);
-    body.blend(axis_body(points, is_root, least_radius), BlendKind::poly, surface.blend * thick);
+    const double thick = std::max(first_radius(skeleton, nodes.of(axis)), min_radius);
+    body.blend(axis_body(points, is_root, min_radius), BlendKind::poly, surface.blend * thick);
   }
   return body;
 }
@@ -136,19 +136,19 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
   const Vec3 size = box.size();
   // A thickened body is wider by up to this radius at both ends, which also enlarges its cells.
   const double cell = std::max({size.x, size.y, size.z}) / (surface.resolution - 2 * kHeldRadius);
-  if (surface.thicken) thickening.least_radius = kHeldRadius * cell;
+  if (surface.thicken) thickening.min_radius = kHeldRadius * cell;
   const auto cone_volume = [](double length, double a, double b) { return kPi / 3 * length * (a * a + a * b + b * b); };
   for (const AxisIndex axis : axes) {
     const std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), Vec3(0));
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double length = glm::distance(points[i].position, points[i + 1].position);
       const std::array<double, 2> radii{points[i].radius, points[i + 1].radius};
-      const double least = thickening.least_radius;
+      const double min = thickening.min_radius;
       const double volume = cone_volume(length, radii[0], radii[1]);
       thickening.length += length;
-      if (std::min(radii[0], radii[1]) < least) thickening.thickened += length;
+      if (std::min(radii[0], radii[1]) < min) thickening.thickened += length;
       thickening.volume += volume;
-      thickening.added += cone_volume(length, std::max(radii[0], least), std::max(radii[1], least)) - volume;
+      thickening.added += cone_volume(length, std::max(radii[0], min), std::max(radii[1], min)) - volume;
     }
   }
   return thickening;

@@ -17,19 +17,19 @@ namespace meristem {
 
 /// The thickening of a blended body's axes that its cells require.
 struct Thickening {
-  double least_radius = 0;  ///< minimum radius that its cells can represent, metres
-  double length = 0;        ///< length of all its axes, metres
-  double thickened = 0;     ///< length of the axes that were thinner, metres
-  double volume = 0;        ///< volume of the original segments, m³
-  double added = 0;         ///< volume that thickening adds to the segments, m³
+  double min_radius = 0;  ///< minimum radius that its cells can represent, metres
+  double length = 0;      ///< length of all its axes, metres
+  double thickened = 0;   ///< length of the axes that were thinner, metres
+  double volume = 0;      ///< volume of the original segments, m³
+  double added = 0;       ///< volume that thickening adds to the segments, m³
 };
 
 /// Returns the body of the listed axes of `skeleton`. Axes begin at their parents' nodes with their own radii. Roots
 /// begin with a flat base that flares according to `surface`. Each axis blends with all thicker ones over
-/// `surface.blend` times its first radius. Radii are raised to at least `least_radius` metres, and none may be NaN. The
+/// `surface.blend` times its first radius. Radii are raised to at least `min_radius` metres, and none may be NaN. The
 /// body is relative to `origin`. The cost is linear in nodes.
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
-                            double least_radius, Vec3 origin = Vec3(0));
+                            double min_radius, Vec3 origin = Vec3(0));
 
 /// Returns the thickening of these axes for `surface.resolution` cells along their longest side. Without
 /// `surface.thicken`, nothing is thickened.

@@ -32,8 +32,8 @@ Box box_of(const Mesh& mesh) {
   return box;
 }
 
-ImplicitBody stem_body(const Skeleton& skeleton, const Surface& surface = {}, double least_radius = 0) {
-  return make_stem_body(skeleton, all_axes(skeleton), surface, least_radius);
+ImplicitBody stem_body(const Skeleton& skeleton, const Surface& surface = {}, double min_radius = 0) {
+  return make_stem_body(skeleton, all_axes(skeleton), surface, min_radius);
 }
 
 /// Returns a capsule among cells of 1 m, in any direction, near an axis, or near a diagonal.
@@ -48,14 +48,14 @@ ImplicitBody thin_tube(const RandomKey& key, std::uint64_t k, double radius) {
 TEST(PlantBody, IsosurfaceHoldsThinTubes) {
   // The minimum radii of bodies with cells of 1 m.
   Skeleton rod = chain({{0, 0, 0}, {0, 100, 0}}, 0.01F);
-  const double least =
-      find_thickening(rod, all_axes(rod), {.flare = 0}).least_radius /
-      cell_size(stem_body(rod, {.flare = 0}, find_thickening(rod, all_axes(rod), {.flare = 0}).least_radius), 100);
-  EXPECT_GE(least, std::sqrt(0.75));
-  EXPECT_LT(least, 0.9);
+  const double min =
+      find_thickening(rod, all_axes(rod), {.flare = 0}).min_radius /
+      cell_size(stem_body(rod, {.flare = 0}, find_thickening(rod, all_axes(rod), {.flare = 0}).min_radius), 100);
+  EXPECT_GE(min, std::sqrt(0.75));
+  EXPECT_LT(min, 0.9);
   const RandomKey key(51);
   for (std::uint64_t k = 0; k < 300; ++k) {
-    const ImplicitBody tube = thin_tube(key.child(k), k, least);
+    const ImplicitBody tube = thin_tube(key.child(k), k, min);
     SampledField field{.origin = glm::floor(tube.low()) - 1.0};
     field.size = glm::ivec3(tube.high() - field.origin) + 2;
     for (int z = 0; z < field.size.z; ++z) {
@@ -78,16 +78,16 @@ TEST(PlantBody, ThickeningIsThatOfCylinders) {
   Surface surface{.flare = 0, .resolution = 50};
   const Thickening found = find_thickening(rod, all_axes(rod), surface);
   // The assumed cells equal the cells of the resulting body.
-  const double cell = cell_size(stem_body(rod, {.flare = 0}, found.least_radius), 50);
-  EXPECT_NEAR(found.least_radius / cell, 0.867, 0.02);  // its base is flat, unlike the round other end
-  EXPECT_GE(found.least_radius / cell, 0.867);
+  const double cell = cell_size(stem_body(rod, {.flare = 0}, found.min_radius), 50);
+  EXPECT_NEAR(found.min_radius / cell, 0.867, 0.02);  // its base is flat, unlike the round other end
+  EXPECT_GE(found.min_radius / cell, 0.867);
   EXPECT_NEAR(found.length, 10, 1e-6);
   EXPECT_NEAR(found.thickened, 10, 1e-6);
   EXPECT_NEAR(found.volume, kPi * 10 * 1e-4, 1e-8);
-  EXPECT_NEAR(found.added, kPi * 10 * (found.least_radius * found.least_radius - 1e-4), 1e-6);
+  EXPECT_NEAR(found.added, kPi * 10 * (found.min_radius * found.min_radius - 1e-4), 1e-6);
   surface.thicken = false;
   const Thickening none = find_thickening(rod, all_axes(rod), surface);
-  EXPECT_EQ(none.least_radius, 0);
+  EXPECT_EQ(none.min_radius, 0);
   EXPECT_EQ(none.thickened, 0);
   EXPECT_EQ(none.added, 0);
 }
@@ -100,7 +100,7 @@ TEST(PlantBody, OnlyThinSegmentsAreThickened) {
   EXPECT_NEAR(found.thickened, 1, 1e-6);
   const auto cone = [](double a, double b) { return kPi / 3 * (a * a + a * b + b * b); };
   EXPECT_NEAR(found.volume, cone(0.3, 0.3) + cone(0.3, 0.001), 1e-6);
-  EXPECT_NEAR(found.added, cone(0.3, found.least_radius) - cone(0.3, 0.001), 1e-6);
+  EXPECT_NEAR(found.added, cone(0.3, found.min_radius) - cone(0.3, 0.001), 1e-6);
 }
 
 TEST(PlantBody, WideBasesCountForTheCells) {
@@ -108,7 +108,7 @@ TEST(PlantBody, WideBasesCountForTheCells) {
   const Skeleton stump = chain({{0, 0, 0}, {0, 0.4F, 0}}, 0.5F);
   const Surface surface{.flare = 1, .resolution = 20};
   const Thickening found = find_thickening(stump, all_axes(stump), surface);
-  EXPECT_GE(found.least_radius / cell_size(stem_body(stump, surface, found.least_radius), 20), std::sqrt(0.75));
+  EXPECT_GE(found.min_radius / cell_size(stem_body(stump, surface, found.min_radius), 20), std::sqrt(0.75));
 }
 
 TEST(PlantBody, OfAForkIsOneClosedPiece) {
@@ -117,8 +117,8 @@ TEST(PlantBody, OfAForkIsOneClosedPiece) {
   for (const float blend : {0.0F, 0.5F, 4.0F}) {
     for (const int resolution : {10, 40, 100}) {
       Surface surface{.resolution = resolution, .blend = blend};
-      const double least = find_thickening(skeleton, all_axes(skeleton), surface).least_radius;
-      const Mesh mesh = surface_of(stem_body(skeleton, surface, least), resolution);
+      const double min = find_thickening(skeleton, all_axes(skeleton), surface).min_radius;
+      const Mesh mesh = surface_of(stem_body(skeleton, surface, min), resolution);
       EXPECT_TRUE(check_mesh(mesh)) << blend << " at " << resolution;
       EXPECT_EQ(euler_number(mesh), 2) << blend << " at " << resolution;
       EXPECT_EQ(component_count(mesh), 1U) << blend << " at " << resolution;

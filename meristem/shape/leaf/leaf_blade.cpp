@@ -26,7 +26,7 @@ constexpr double kRunOut = 0.2;            // share of the length: maximum dista
 constexpr double kRunOutRadii = 8;         // the same distance in radii of the petiole
 constexpr double kRowTolerance = 1e-3;     // share of the length: corners nearer to a row lie on it
 constexpr double kColumnTolerance = 0.02;  // share of half the width: corners nearer to a column lie on it
-constexpr double kLeastLength = 0.1;       // minimum share of the length along the surface where it is bent back on
+constexpr double kMinLength = 0.1;         // minimum share of the length along the surface where it is bent back on
                                            // itself
 constexpr double kVeinWidth = 0.05;        // share of half the width: minimum width of the blade at the petiole's
                                            // picture
@@ -79,7 +79,7 @@ class BladeSurface {
     const DVec3 position =
         DVec3(0, blade_.petiole + midrib.forward, midrib.up) + side * section.forward * right + up * upper;
     // The cross product of the surface's derivatives across and along. On the midrib it is the mean of both halves.
-    const double length = std::max(blade_.length + up * blade_.curl, kLeastLength * blade_.length);
+    const double length = std::max(blade_.length + up * blade_.curl, kMinLength * blade_.length);
     const double forward_slope = math::cos(section.angle), up_slope = math::sin(section.angle) + relief.across_slope;
     const DVec3 normal =
         forward_slope * (length * upper - relief.along_slope * ahead) - side * up_slope * length * right;

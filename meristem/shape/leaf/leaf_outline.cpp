@@ -245,11 +245,11 @@ Chain thinned(const Chain& chain, double aspect, double tolerance) {
     const auto [begin, end] = spans.back();
     spans.pop_back();
     std::size_t farthest = begin;
-    double most = tolerance;
+    double max = tolerance;
     for (std::size_t i = begin + 1; i < end; ++i) {
       const double distance = distance_to(chain[i], chain[begin], chain[end], scale);
-      if (distance <= most) continue;
-      most = distance;
+      if (distance <= max) continue;
+      max = distance;
       farthest = i;
     }
     if (farthest == begin) continue;
@@ -391,14 +391,14 @@ Chain simpler_hull(Chain hull, std::size_t count, double low, double high) {
   while (hull.size() > count + 1) {
     // Remove the edge whose neighbours meet with the smallest gain in area.
     std::optional<std::size_t> best;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     Point corner{0};
     for (std::size_t i = 1; i + 2 < hull.size(); ++i) {
       const auto meeting = meeting_beyond(hull, i);
       if (!meeting || meeting->x > 1 || meeting->y < low || meeting->y > high) continue;
       const double gained = std::abs(cross(hull[i + 1] - hull[i], *meeting - hull[i]));
-      if (gained >= least) continue;
-      least = gained;
+      if (gained >= min) continue;
+      min = gained;
       best = i;
       corner = *meeting;
     }

@@ -28,18 +28,18 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kMostTriangles = 2000;
+constexpr std::size_t kMaxTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
 constexpr double kSmallPiece = 0.2;  // share of the mean visible area of pieces; smaller pieces, such as a leaf's
                                      // stalk, are removed first
-constexpr double kMostWidening = 4;
-constexpr double kLeastCosine = 0.2;   // minimum cosine of the angle that a triangle may turn
+constexpr double kMaxWidening = 4;
+constexpr double kMinCosine = 0.2;     // minimum cosine of the angle that a triangle may turn
 constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and of its vertices
 constexpr double kFlat = 0.5;          // visible share of the area of a flat (non-tube) piece, seen from one side
 
 constexpr std::size_t kFewestClustered = 24;  // minimum number of triangles of a quick mesh that the cells of a grid
                                               // make
-constexpr int kMostGrids = 8;                 // maximum number of grids that are tried for a quick mesh
+constexpr int kMaxGrids = 8;                  // maximum number of grids that are tried for a quick mesh
 constexpr float kNextGrid = 1.35F;            // factor on the cells of the grid before
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -207,7 +207,7 @@ class HalfEdgeCollapse {
       const DVec3 before = area_vector(mesh_, triangle);
       std::replace(triangle.begin(), triangle.end(), takes->first, takes->second);
       const DVec3 after = area_vector(mesh_, triangle);
-      if (!(glm::dot(before, after) > kLeastCosine * glm::length(before) * glm::length(after))) return false;
+      if (!(glm::dot(before, after) > kMinCosine * glm::length(before) * glm::length(after))) return false;
       if (!faces_its_normals(triangle, after)) return false;
     }
     return true;
@@ -217,7 +217,7 @@ class HalfEdgeCollapse {
   bool faces_its_normals(const Triangle& triangle, DVec3 area) const {
     if (mesh_.normals.empty()) return true;
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
-      return glm::dot(DVec3(mesh_.normals[vertex]), area) > kLeastCosine * glm::length(area);
+      return glm::dot(DVec3(mesh_.normals[vertex]), area) > kMinCosine * glm::length(area);
     });
   }
 
@@ -321,8 +321,8 @@ double area_of(const std::vector<Piece>& pieces) {
 std::vector<Piece> without_small(std::vector<Piece> pieces) {
   double shown = 0;
   for (const Piece& piece : pieces) shown += piece.shown();
-  const double least = kSmallPiece * shown / static_cast<double>(pieces.size());
-  std::erase_if(pieces, [least](const Piece& piece) { return piece.shown() < least; });
+  const double min = kSmallPiece * shown / static_cast<double>(pieces.size());
+  std::erase_if(pieces, [min](const Piece& piece) { return piece.shown() < min; });
   return pieces;
 }
 
@@ -490,7 +490,7 @@ void cluster(Mesh& mesh, std::size_t triangles) {
   if (!(sides > 0)) return;
   float cell = std::sqrt(2 * sides / static_cast<float>(triangles));
   std::vector<Triangle> made;
-  for (int k = 0; k < kMostGrids; ++k) {
+  for (int k = 0; k < kMaxGrids; ++k) {
     made = joined_in_cells(mesh, box, ClusterGrid(box, cell));
     if (made.size() <= triangles) break;
     cell *= kNextGrid;
@@ -516,7 +516,7 @@ Mesh quickly_coarsened(const Mesh& mesh, std::size_t triangles) {
   if (pieces.size() >= kManyPieces) {
     pieces = chosen(std::move(pieces), triangles);
     take_triangles(coarse, pieces);
-    const double factor = std::clamp(area / std::max(area_of(pieces), 1e-30), 1.0, kMostWidening);
+    const double factor = std::clamp(area / std::max(area_of(pieces), 1e-30), 1.0, kMaxWidening);
     for (const Piece& piece : pieces) widen(coarse, piece, factor);
   } else {
     take_triangles(coarse, pieces);
@@ -528,7 +528,7 @@ Mesh quickly_coarsened(const Mesh& mesh, std::size_t triangles) {
 }
 
 Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
-  if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMostTriangles)
+  if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMaxTriangles)
     return mesh;
   if (is_flat(mesh)) {
     // Separate vertices per corner leave nothing to collapse, so join them first.
@@ -551,7 +551,7 @@ Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
     if (coarse.triangle_count() > triangles) pieces = chosen(std::move(pieces), triangles);
     take_triangles(coarse, pieces);
     const double left = area_of(pieces);
-    const double factor = left > 0 ? std::clamp(area / left, 1.0, kMostWidening) : 1;
+    const double factor = left > 0 ? std::clamp(area / left, 1.0, kMaxWidening) : 1;
     for (const Piece& piece : pieces) widen(coarse, piece, factor);
   }
   return without_loose_vertices(coarse);

@@ -61,7 +61,7 @@ constexpr double kThin = 2e-3;
 /// Below this value, a triangle's normal has no meaning.
 constexpr double kNoNormal = 1e-5;
 /// Maximum number of triangles around one vertex.
-constexpr std::size_t kMostAround = 40;
+constexpr std::size_t kMaxAround = 40;
 
 double longest_squared(DVec3 a, DVec3 b, DVec3 c) {
   return std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
@@ -125,8 +125,8 @@ EdgeCollapse::Candidate EdgeCollapse::candidate(std::uint32_t low, std::uint32_t
   const double share = both.weight() > 0 ? b.weight() / both.weight() : 0.5;
   const DVec3 from = position(low);
   const DVec3 along = position(high) - from;
-  DVec3 apex = both.least(from + share * along, kSpring);
-  const DVec3 tame = both.least(from + share * along, kTameSpring);
+  DVec3 apex = both.min(from + share * along, kSpring);
+  const DVec3 tame = both.min(from + share * along, kTameSpring);
   if (both.at(tame) < kTameCost * both.at(apex)) apex = tame;
   const double a_error = a.at(apex);
   const double b_error = b.at(apex);
@@ -231,7 +231,7 @@ bool EdgeCollapse::keeps_manifold(Corner corner) {
   const Corner far = CornerTable::next(corner);
   for (Corner c = corners_.turn(corners_.turn(far)); c != far; c = corners_.turn(c)) add(c);
   // No triangle of a tetrahedron can be removed.
-  if (fan_.size() > kMostAround || (low_count == 1 && fan_.size() == 2)) return false;
+  if (fan_.size() > kMaxAround || (low_count == 1 && fan_.size() == 2)) return false;
   // The ends share the third corners of the edge's two triangles, and must share no other neighbour.
   for (std::size_t high = low_count + 1; high < fan_.size(); ++high) {
     for (std::size_t low = 0; low < low_count; ++low) {

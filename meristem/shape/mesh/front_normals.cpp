@@ -43,16 +43,16 @@ DVec3 in_front_of(std::span<const Corner> corners, DVec3 otherwise) {
   double best_cosine = -1;
   for (int turn = 0; turn < kTurns; ++turn) {
     const double length = glm::length(sum);
-    double least = 2;
+    double min = 2;
     DVec3 behind{0};
     for (const Corner& corner : corners) {
       const double cosine = length > 0 ? glm::dot(corner.face, sum) / length : -1;
-      if (cosine >= least) continue;
-      least = cosine;
+      if (cosine >= min) continue;
+      min = cosine;
       behind = corner.face;
     }
-    if (length > 0 && least > best_cosine) {
-      best_cosine = least;
+    if (length > 0 && min > best_cosine) {
+      best_cosine = min;
       best = sum / length;
     }
     if (best_cosine > kFront) break;

@@ -52,7 +52,7 @@ struct Quadric {
 
   /// Returns the position of the minimum if a spring of `stiffness` (above 0, a share of the weight) pulls toward
   /// `rest`. The spring makes the minimum unique also for flat and straight parts.
-  DVec3 least(DVec3 rest, double stiffness) const {
+  DVec3 min(DVec3 rest, double stiffness) const {
     const double spring = stiffness * weight();
     const double a = xx + spring;
     const double b = yy + spring;

@@ -118,10 +118,10 @@ TEST(Tangents, AreAddedOnlyForTexturesWithNormals) {
   material.texture = texture;
   EXPECT_EQ(with_needed_tangents(mesh, material), mesh);
   texture->normals = {1, 1, {128, 128, 255, 255}};
-  const auto dressed = with_needed_tangents(mesh, material);
-  EXPECT_EQ(dressed->tangents.size(), 4U);
+  const auto changed = with_needed_tangents(mesh, material);
+  EXPECT_EQ(changed->tangents.size(), 4U);
   EXPECT_TRUE(mesh->tangents.empty());
-  EXPECT_EQ(with_needed_tangents(dressed, material), dressed);
+  EXPECT_EQ(with_needed_tangents(changed, material), changed);
 }
 
 TEST(Tangents, AreTheSameOnAnyNumberOfThreads) {

@@ -51,19 +51,19 @@ class PictureMap {
   /// 0.
   std::uint32_t at(Vec2 place, std::array<float, 3>& shares) const {
     std::uint32_t best = 0;
-    float least = -std::numeric_limits<float>::infinity();
+    float min = -std::numeric_limits<float>::infinity();
     const auto look = [&](std::uint32_t triangle) {
       std::array<float, 3> own;
       if (!find_shares(triangle, place, own)) return;
       const float lowest = std::min({own[0], own[1], own[2]});
-      if (lowest <= least) return;
-      least = lowest;
+      if (lowest <= min) return;
+      min = lowest;
       best = triangle;
       shares = own;
     };
     for (const std::uint32_t triangle : cells_[cell_of(place)]) look(triangle);
     // On the outline, rounding can put the position outside all triangles of its cell.
-    if (least < -1e-4F) {
+    if (min < -1e-4F) {
       for (std::size_t t = mesh_.stalk_triangles; t < mesh_.triangle_count(); ++t) look(static_cast<std::uint32_t>(t));
     }
     return best;

@@ -20,7 +20,7 @@ namespace meristem {
 
 namespace {
 
-constexpr float kLeastColour = 1e-4F;
+constexpr float kMinColour = 1e-4F;
 
 std::uint64_t hash_of_mesh(const Mesh& mesh) {
   return Fingerprint()
@@ -267,7 +267,7 @@ Vec3 MovingParts::tint_at(const MovingLook& look, Vec3 tint, std::size_t key) co
   const std::optional<Vec3>& then = colours_[look.material][key];
   if (!then) return tint;
   const Vec3 shown = linear_from_srgb(materials[look.material].colour);
-  return *then == shown ? tint : tint * *then / glm::max(shown, Vec3(kLeastColour));
+  return *then == shown ? tint : tint * *then / glm::max(shown, Vec3(kMinColour));
 }
 
 }  // namespace meristem

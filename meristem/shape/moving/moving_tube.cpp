@@ -85,12 +85,12 @@ class TubeReader {
       return glm::dot(unit_or(around_ring(tube_.positions, ring, 0) - spine_.centre[ring], Vec3(0)), wanted);
     };
     float best = 0;
-    float most = likeness(0);
-    for (std::uint32_t k = 1; k < kSeams && most < kTurnedSeam; ++k) {
+    float max = likeness(0);
+    for (std::uint32_t k = 1; k < kSeams && max < kTurnedSeam; ++k) {
       const float seam = static_cast<float>(k) / kSeams;
       const float like = likeness(seam);
-      if (like <= most) continue;
-      most = like;
+      if (like <= max) continue;
+      max = like;
       best = seam;
     }
     seam_ = best;
@@ -145,11 +145,11 @@ std::optional<TubeShape> tube_shape(const TubePlan& plan, AxisIndex axis, const 
 
 std::size_t fullest_shape(const std::vector<std::shared_ptr<const TubeShape>>& shapes) {
   std::size_t best = 0;
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const std::size_t vertices = shapes[k] ? shapes[k]->positions.size() : 0;
-    if (vertices < most) continue;
-    most = vertices;
+    if (vertices < max) continue;
+    max = vertices;
     best = k;
   }
   return best;

@@ -129,7 +129,7 @@ Mesh make_revolution(const SolidOfRevolution& solid) {
   if (!(solid.sweep > 0) || !std::isfinite(solid.sweep)) {
     throw std::invalid_argument("a body of revolution needs a sweep above 0");
   }
-  if (const auto fault = find_fault(solid)) throw std::invalid_argument(fault->message);
+  if (const auto error = find_error(solid)) throw std::invalid_argument(error->message);
   return RevolutionMesher(solid).run();
 }
 

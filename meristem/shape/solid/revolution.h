@@ -27,7 +27,7 @@ struct SolidOfRevolution {
 };
 
 /// An error in a silhouette.
-struct SilhouetteFault {
+struct SilhouetteError {
   std::string message;               ///< description of the error
   std::string expected;              ///< what was expected, or empty
   std::optional<std::size_t> point;  ///< index of the point at fault, if it is a single one
@@ -37,7 +37,7 @@ struct SilhouetteFault {
 /// numbers that are not finite, repeated points, or points on the axis other than at the ends. Other reasons are a path
 /// that crosses or touches itself, or one that runs down around the body. Returns nothing for a valid silhouette. O(n²)
 /// in points and rings.
-std::optional<SilhouetteFault> find_fault(const SolidOfRevolution& solid);
+std::optional<SilhouetteError> find_error(const SolidOfRevolution& solid);
 
 /// Returns the closed body with front faces outward. Where the silhouette begins or ends on the axis, it has a single
 /// point, and otherwise a flat disc. Sharp edges (split vertices) surround these discs and the flat sides of wedges,

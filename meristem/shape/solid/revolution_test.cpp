@@ -152,10 +152,10 @@ TEST(Revolution, RandomSilhouettesGiveClosedBodies) {
     SolidOfRevolution solid = lines(random_silhouette(key), 3 + static_cast<int>(key.uniform(3) * 20));
     if (key.uniform(4) < 0.5) solid.sweep = key.uniform(5, 0.1, 2 * kPi);
     solid.rings = 1 + static_cast<int>(key.uniform(6) * 60);
-    ASSERT_FALSE(find_fault(solid)) << find_fault(solid)->message;
+    ASSERT_FALSE(find_error(solid)) << find_error(solid)->message;
     EXPECT_TRUE(check_mesh(make_revolution(solid))) << k;
     solid.kind = CurveKind::spline;
-    if (find_fault(solid)) continue;  // the spline may cross itself
+    if (find_error(solid)) continue;  // the spline may cross itself
     ++splines;
     EXPECT_TRUE(check_mesh(make_revolution(solid))) << k << " as a spline";
   }
@@ -184,27 +184,27 @@ TEST(Revolution, TwiceTheSizeGivesEightTimesTheVolume) {
 }
 
 TEST(Revolution, FaultsNameTheirPoint) {
-  const auto fault = [](Silhouette silhouette, CurveKind kind = CurveKind::linear) {
-    const auto found = find_fault({.silhouette = std::move(silhouette), .kind = kind});
+  const auto error = [](Silhouette silhouette, CurveKind kind = CurveKind::linear) {
+    const auto found = find_error({.silhouette = std::move(silhouette), .kind = kind});
     if (!found) return std::string("none");
     return found->message + (found->point ? " @" + std::to_string(*found->point) : "");
   };
-  EXPECT_EQ(fault({{1, 0}}), "the silhouette has fewer than two points");
-  EXPECT_EQ(fault(Silhouette(501, Vec2(1, 1))), "the silhouette has 501 points");
-  EXPECT_EQ(fault({{0, 0}, {NAN, 1}}), "the silhouette has a number that is not finite @1");
-  EXPECT_EQ(fault({{0, 0}, {-1, 1}, {0, 2}}), "the radius -1 is negative @1");
-  EXPECT_EQ(fault({{0, 0}, {0, 1}}), "all of the silhouette lies on the axis");
-  EXPECT_EQ(fault({{0, 0}, {1, 1}, {1, 1}, {0, 2}}), "the point repeats the one before it @2");
-  EXPECT_EQ(fault({{0, 0}, {1, 1}, {0, 2}, {1, 3}}), "the silhouette meets the axis before its end @2");
+  EXPECT_EQ(error({{1, 0}}), "the silhouette has fewer than two points");
+  EXPECT_EQ(error(Silhouette(501, Vec2(1, 1))), "the silhouette has 501 points");
+  EXPECT_EQ(error({{0, 0}, {NAN, 1}}), "the silhouette has a number that is not finite @1");
+  EXPECT_EQ(error({{0, 0}, {-1, 1}, {0, 2}}), "the radius -1 is negative @1");
+  EXPECT_EQ(error({{0, 0}, {0, 1}}), "all of the silhouette lies on the axis");
+  EXPECT_EQ(error({{0, 0}, {1, 1}, {1, 1}, {0, 2}}), "the point repeats the one before it @2");
+  EXPECT_EQ(error({{0, 0}, {1, 1}, {0, 2}, {1, 3}}), "the silhouette meets the axis before its end @2");
   const std::string crossing = "the silhouette crosses or touches itself, or a disc that closes it";
-  EXPECT_EQ(fault({{0, 0}, {2, 0}, {1, 2}, {1, -1}, {2, 2}, {0, 3}}), crossing);
-  EXPECT_EQ(fault({{0, 0}, {1, 1}, {2, 0.5F}, {2, 2}, {1, 0.5F}}), crossing);
-  EXPECT_EQ(fault({{0, 0}, {1, 0}, {1, 2}, {0.5F, 2}, {0, 0}}), crossing);
-  EXPECT_EQ(fault({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1e-6F}, {0, 1}}), crossing) << "nearly";
-  EXPECT_EQ(fault({{0, 2}, {1, 1}, {0, 0}}), "the silhouette runs down around the body");
-  EXPECT_EQ(fault({{0, 0}, {2, 0}, {0.01F, 1}, {0.01F, 2}, {2, 3}, {0, 4}}, CurveKind::spline),
+  EXPECT_EQ(error({{0, 0}, {2, 0}, {1, 2}, {1, -1}, {2, 2}, {0, 3}}), crossing);
+  EXPECT_EQ(error({{0, 0}, {1, 1}, {2, 0.5F}, {2, 2}, {1, 0.5F}}), crossing);
+  EXPECT_EQ(error({{0, 0}, {1, 0}, {1, 2}, {0.5F, 2}, {0, 0}}), crossing);
+  EXPECT_EQ(error({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1e-6F}, {0, 1}}), crossing) << "nearly";
+  EXPECT_EQ(error({{0, 2}, {1, 1}, {0, 0}}), "the silhouette runs down around the body");
+  EXPECT_EQ(error({{0, 0}, {2, 0}, {0.01F, 1}, {0.01F, 2}, {2, 3}, {0, 4}}, CurveKind::spline),
             "after this point the spline swings across the axis @2");
-  EXPECT_EQ(fault(kCup), "none");
+  EXPECT_EQ(error(kCup), "none");
 }
 
 TEST(Revolution, RejectsWhatMakesNoBody) {

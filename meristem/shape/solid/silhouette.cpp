@@ -19,7 +19,7 @@ namespace {
 using Point = glm::dvec2;
 using CornerChain = std::vector<SilhouetteCorner>;
 
-constexpr std::size_t kMostPoints = 500;
+constexpr std::size_t kMaxPoints = 500;
 constexpr double kNearest = 1e-5;        // share of the silhouette's length: nearer points count as equal
 constexpr double kCreaseCosine = 0.766;  // cosine of 40°: lines that bend by more make a sharp edge
 constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge; below it, the direction of the
@@ -169,40 +169,40 @@ double signed_area(const std::vector<Point>& polygon) {
   return doubled / 2;
 }
 
-using Fault = std::optional<SilhouetteFault>;
+using Error = std::optional<SilhouetteError>;
 
-Fault point_fault(const std::vector<Vec2>& silhouette) {
+Error point_error(const std::vector<Vec2>& silhouette) {
   if (silhouette.size() < 2) {
-    return SilhouetteFault{"the silhouette has fewer than two points", "pairs [radius, height] from base to tip", {}};
+    return SilhouetteError{"the silhouette has fewer than two points", "pairs [radius, height] from base to tip", {}};
   }
-  if (silhouette.size() > kMostPoints) {
-    return SilhouetteFault{
-        fmt::format("the silhouette has {} points", silhouette.size()), fmt::format("at most {}", kMostPoints), {}};
+  if (silhouette.size() > kMaxPoints) {
+    return SilhouetteError{
+        fmt::format("the silhouette has {} points", silhouette.size()), fmt::format("at most {}", kMaxPoints), {}};
   }
   for (std::size_t k = 0; k < silhouette.size(); ++k) {
     const Vec2 point = silhouette[k];
     if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-      return SilhouetteFault{"the silhouette has a number that is not finite", "finite numbers", k};
+      return SilhouetteError{"the silhouette has a number that is not finite", "finite numbers", k};
     }
     if (point.x < 0) {
-      return SilhouetteFault{fmt::format("the radius {:.7g} is negative", point.x), "a radius of at least 0", k};
+      return SilhouetteError{fmt::format("the radius {:.7g} is negative", point.x), "a radius of at least 0", k};
     }
   }
   return {};
 }
 
-Fault place_fault(const std::vector<Vec2>& silhouette) {
+Error place_error(const std::vector<Vec2>& silhouette) {
   const double nearest = resolution(silhouette);
   const auto is_on_axis = [&](Vec2 point) { return point.x <= nearest; };
   if (std::all_of(silhouette.begin(), silhouette.end(), is_on_axis)) {
-    return SilhouetteFault{"all of the silhouette lies on the axis", "a radius above 0 somewhere", {}};
+    return SilhouetteError{"all of the silhouette lies on the axis", "a radius above 0 somewhere", {}};
   }
   for (std::size_t k = 1; k < silhouette.size(); ++k) {
     if (glm::distance(Point(silhouette[k]), Point(silhouette[k - 1])) <= nearest) {
-      return SilhouetteFault{"the point repeats the one before it", "points that differ", k};
+      return SilhouetteError{"the point repeats the one before it", "points that differ", k};
     }
     if (k + 1 < silhouette.size() && is_on_axis(silhouette[k])) {
-      return SilhouetteFault{"the silhouette meets the axis before its end",
+      return SilhouetteError{"the silhouette meets the axis before its end",
                              "a radius above 0 at all points but the first and the last", k};
     }
   }
@@ -210,7 +210,7 @@ Fault place_fault(const std::vector<Vec2>& silhouette) {
 }
 
 /// Checks whether splines swing beyond their points into an invalid shape.
-Fault swing_fault(const SolidOfRevolution& solid) {
+Error swing_error(const SolidOfRevolution& solid) {
   const std::size_t points = solid.silhouette.size();
   const double nearest = resolution(solid.silhouette);
   const Spline spline(solid.silhouette);
@@ -219,7 +219,7 @@ Fault swing_fault(const SolidOfRevolution& solid) {
   for (std::size_t k = 1; k + 1 < places.size(); ++k) {
     while (spline.along(point + 1) <= places[k]) ++point;
     if (spline.at(places[k]).x > nearest) continue;
-    return SilhouetteFault{"after this point the spline swings across the axis",
+    return SilhouetteError{"after this point the spline swings across the axis",
                            "another point between this one and the next, or the kind 'linear'", point};
   }
   return {};
@@ -245,15 +245,15 @@ bool comes_near_itself(const std::vector<Point>& polygon, double nearest) {
   return false;
 }
 
-Fault way_fault(const SolidOfRevolution& solid) {
+Error way_error(const SolidOfRevolution& solid) {
   const std::vector<Point> corners = corners_of(silhouette_chain(solid));
   if (crosses_itself(corners) || comes_near_itself(corners, resolution(solid.silhouette))) {
-    return SilhouetteFault{"the silhouette crosses or touches itself, or a disc that closes it",
+    return SilhouetteError{"the silhouette crosses or touches itself, or a disc that closes it",
                            "a line from base to tip around a body",
                            {}};
   }
   if (!(signed_area(corners) > 0)) {
-    return SilhouetteFault{
+    return SilhouetteError{
         "the silhouette runs down around the body", "its points in their order from base to tip", {}};
   }
   return {};
@@ -261,13 +261,13 @@ Fault way_fault(const SolidOfRevolution& solid) {
 
 }  // namespace
 
-std::optional<SilhouetteFault> find_fault(const SolidOfRevolution& solid) {
-  if (Fault fault = point_fault(solid.silhouette)) return fault;
-  if (Fault fault = place_fault(solid.silhouette)) return fault;
+std::optional<SilhouetteError> find_error(const SolidOfRevolution& solid) {
+  if (Error error = point_error(solid.silhouette)) return error;
+  if (Error error = place_error(solid.silhouette)) return error;
   if (solid.kind == CurveKind::spline) {
-    if (Fault fault = swing_fault(solid)) return fault;
+    if (Error error = swing_error(solid)) return error;
   }
-  return way_fault(solid);
+  return way_error(solid);
 }
 
 }  // namespace meristem

@@ -19,8 +19,8 @@ struct BarkPaints {
   /// `work` must outlive this object.
   BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side, const Progress& work);
 
-  /// Returns the number of features in a row, at least `least`. `usual` is the number at scale 1.
-  int count(double usual, int least = 1) const;
+  /// Returns the number of features in a row, at least `min`. `usual` is the number at scale 1.
+  int count(double usual, int min = 1) const;
   int even_count(double usual) const { return std::max(2, 2 * count(usual / 2)); }
   /// Returns the number of features on the tile's area.
   int area_count(double usual) const;

@@ -19,8 +19,8 @@ BarkPaints::BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side,
   if (recipe.marks) marks = linear_from_srgb(*recipe.marks);
 }
 
-int BarkPaints::count(double usual, int least) const {
-  return std::clamp(static_cast<int>(usual / static_cast<double>(scale) + 0.5), least, 400);
+int BarkPaints::count(double usual, int min) const {
+  return std::clamp(static_cast<int>(usual / static_cast<double>(scale) + 0.5), min, 400);
 }
 
 int BarkPaints::area_count(double usual) const {

@@ -18,11 +18,11 @@ constexpr float kMidribWidth = 0.011F;  // half width at the base
 constexpr float kSideWidth = 0.0042F;
 constexpr float kCrossWidth = 0.0012F;
 constexpr float kCrossSpacing = 0.032F;
-constexpr float kSidesOfPalm = 0.11F;     // spacing along the main veins of a palmate leaf
-constexpr float kArch = 0.5F;             // curvature of side veins toward the tip
-constexpr float kShortestVein = 1e-3F;    // minimum length of a fanned vein, which may lie outside of the outline
-constexpr std::uint64_t kMostSides = 64;  // side veins on one side of a main vein
-constexpr double kPalmSpread = 105;       // degrees to each side, for main veins that follow no lobes
+constexpr float kSidesOfPalm = 0.11F;    // spacing along the main veins of a palmate leaf
+constexpr float kArch = 0.5F;            // curvature of side veins toward the tip
+constexpr float kShortestVein = 1e-3F;   // minimum length of a fanned vein, which may lie outside of the outline
+constexpr std::uint64_t kMaxSides = 64;  // side veins on one side of a main vein
+constexpr double kPalmSpread = 105;      // degrees to each side, for main veins that follow no lobes
 
 float angle_between(Vec2 a, Vec2 b) {
   return static_cast<float>(math::acos(glm::dot(a, b) / std::sqrt(glm::dot(a, a) * glm::dot(b, b))));
@@ -42,15 +42,15 @@ float ray_length(const std::vector<Vec2>& outline, Vec2 base, Vec2 heading) {
 
 /// Returns the lobes' tips: points of the outline that are farther from `base` than all others within an angle, the
 /// farthest first.
-std::vector<Vec2> lobe_tips(const std::vector<Vec2>& outline, Vec2 base, std::size_t most) {
-  const float apart = 0.5F * static_cast<float>(kPi) / static_cast<float>(most);
+std::vector<Vec2> lobe_tips(const std::vector<Vec2>& outline, Vec2 base, std::size_t max) {
+  const float apart = 0.5F * static_cast<float>(kPi) / static_cast<float>(max);
   std::vector<Vec2> points;
   for (const Vec2 point : outline) {
     if (glm::distance(point, base) > 0.05F) points.push_back(point - base);
   }
   std::stable_sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return glm::dot(a, a) > glm::dot(b, b); });
   std::vector<Vec2> tips;
-  for (std::size_t k = 0; k < points.size() && tips.size() < most; ++k) {
+  for (std::size_t k = 0; k < points.size() && tips.size() < max; ++k) {
     // A farther point nearby means that this point is on the flank of a lobe.
     const bool is_tip = std::none_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(k),
                                      [&](Vec2 farther) { return angle_between(farther, points[k]) < apart; });
@@ -75,7 +75,7 @@ LeafVeins::LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const 
   const RandomKey key = RandomKey(recipe.seed).child("veins");
   for (std::size_t k = 0; k < mains_.size(); ++k) {
     mains_[k].length = std::max(mains_[k].length, kShortestVein);
-    for (std::uint64_t side = 0; side < 2 * kMostSides; ++side) {
+    for (std::uint64_t side = 0; side < 2 * kMaxSides; ++side) {
       mains_[k].shifts.push_back(0.3F * static_cast<float>(key.child(k).uniform(side) - 0.5));
     }
   }
@@ -87,9 +87,9 @@ void LeafVeins::find_palm(const TextureShape& shape) {
   for (const Vec2 point : shape.outline) outline.emplace_back((point.x - 0.5F) * aspect_, point.y);
   if (outline.empty()) outline = {{-0.5F * aspect_, 0}, {0.5F * aspect_, 0}, {0.5F * aspect_, 1}, {-0.5F * aspect_, 1}};
   const Vec2 base(0, map_.midrib.low);
-  const auto most = 2 * static_cast<std::size_t>(recipe_.pairs) + 1;
-  const std::vector<Vec2> tips = lobe_tips(outline, base, most);
-  if (tips.size() == most && !shape.outline.empty()) {
+  const auto max = 2 * static_cast<std::size_t>(recipe_.pairs) + 1;
+  const std::vector<Vec2> tips = lobe_tips(outline, base, max);
+  if (tips.size() == max && !shape.outline.empty()) {
     for (const Vec2 tip : tips) mains_.push_back({glm::normalize(tip), glm::length(tip), {}});
     return;
   }
@@ -122,7 +122,7 @@ void LeafVeins::add_sides(const MainVein& vein, const SideVeins& form, float alo
   float nearest = spacing;
   for (int step = -1; step <= 2; ++step) {
     const float k = below + static_cast<float>(step);
-    if (k < 0 || k >= std::min(form.count, static_cast<float>(kMostSides))) continue;
+    if (k < 0 || k >= std::min(form.count, static_cast<float>(kMaxSides))) continue;
     const float shifted = k + vein.shifts[2 * static_cast<std::size_t>(k) + side];
     nearest = std::min(nearest, std::abs(position - shifted) * spacing);
   }

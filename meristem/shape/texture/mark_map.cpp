@@ -9,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-constexpr float kLeastReach = 0.9F;  // minimum half size of a mark, in pixels
+constexpr float kMinReach = 0.9F;  // minimum half size of a mark, in pixels
 
 int wrapped(int index, int period) { return ((index % period) + period) % period; }
 
@@ -18,7 +18,7 @@ int wrapped(int index, int period) { return ((index % period) + period) % period
 void MarkMap::add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 position)> mark) {
   const auto size = static_cast<float>(pixels_);
   const Vec2 middle(centre.x * size - 0.5F, (1 - centre.y) * size - 0.5F);
-  const Vec2 half = glm::min(glm::max(reach * size, Vec2(kLeastReach)), Vec2(0.5F * size));
+  const Vec2 half = glm::min(glm::max(reach * size, Vec2(kMinReach)), Vec2(0.5F * size));
   for (int y = static_cast<int>(std::ceil(middle.y - half.y)); static_cast<float>(y) <= middle.y + half.y; ++y) {
     for (int x = static_cast<int>(std::ceil(middle.x - half.x)); static_cast<float>(x) <= middle.x + half.x; ++x) {
       const Vec2 position((static_cast<float>(x) - middle.x) / half.x, (middle.y - static_cast<float>(y)) / half.y);

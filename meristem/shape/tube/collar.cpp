@@ -6,10 +6,10 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastSine = 0.2F;  // of the angle between branch and bark: 11.5 degrees
+constexpr float kMinSine = 0.2F;    // of the angle between branch and bark: 11.5 degrees
 constexpr float kGap = 0.3F;        // radii between the first free ring and the next
 constexpr float kThickest = 0.95F;  // share of the parent's radius
-constexpr float kLeastFillet = 0.2F;
+constexpr float kMinFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
 
@@ -54,12 +54,12 @@ Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(par
   };
   // Use half of the cones before the point, half after it.
   float way = 0;
-  for (std::size_t i = point; i > 0 && way < reach && count_ < kMostCones / 2; --i) {
+  for (std::size_t i = point; i > 0 && way < reach && count_ < kMaxCones / 2; --i) {
     add_from(i - 1);
     way += glm::distance(parent.position(i - 1), parent.position(i));
   }
   way = 0;
-  for (std::size_t i = point; i + 1 < parent.size() && way < reach && count_ < kMostCones; ++i) {
+  for (std::size_t i = point; i + 1 < parent.size() && way < reach && count_ < kMaxCones; ++i) {
     add_from(i);
     way += glm::distance(parent.position(i), parent.position(i + 1));
   }
@@ -80,7 +80,7 @@ void Bark::add(Vec3 base, Vec3 end, float base_radius, float end_radius) {
 
 Bark::Column Bark::shares(Vec3 position) const {
   Column shares;
-  for (std::size_t k = 0; k < kMostCones; ++k) shares[k] = glm::dot(offset(position, k), axis(k)) * inverse_length2_[k];
+  for (std::size_t k = 0; k < kMaxCones; ++k) shares[k] = glm::dot(offset(position, k), axis(k)) * inverse_length2_[k];
   for (float& share : shares) share = std::max(share, 0.0F);
   for (float& share : shares) share = std::min(share, 1.0F);
   return shares;
@@ -88,7 +88,7 @@ Bark::Column Bark::shares(Vec3 position) const {
 
 Bark::Column Bark::distances(Vec3 position, const Column& shares) const {
   Column distances;
-  for (std::size_t k = 0; k < kMostCones; ++k) {
+  for (std::size_t k = 0; k < kMaxCones; ++k) {
     const Vec3 outward = offset(position, k) - shares[k] * axis(k);
     distances[k] = std::sqrt(glm::dot(outward, outward)) - (base_radius_[k] + shares[k] * widening_[k]);
   }
@@ -96,33 +96,33 @@ Bark::Column Bark::distances(Vec3 position, const Column& shares) const {
 }
 
 float Bark::distance(Vec3 position) const {
-  Column least = distances(position, shares(position));
+  Column min = distances(position, shares(position));
   // Compare one half with the other, as processors do.
-  for (std::size_t k = 0; k < kMostCones / 2; ++k) least[k] = std::min(least[k], least[k + kMostCones / 2]);
-  for (std::size_t k = 0; k < kMostCones / 4; ++k) least[k] = std::min(least[k], least[k + kMostCones / 4]);
-  return std::min(std::min(least[0], least[1]), std::min(least[2], kNever));
+  for (std::size_t k = 0; k < kMaxCones / 2; ++k) min[k] = std::min(min[k], min[k + kMaxCones / 2]);
+  for (std::size_t k = 0; k < kMaxCones / 4; ++k) min[k] = std::min(min[k], min[k + kMaxCones / 4]);
+  return std::min(std::min(min[0], min[1]), std::min(min[2], kNever));
 }
 
 Bark::Nearest Bark::nearest(Vec3 position) const {
   const Column along = shares(position);
   const Column all = distances(position, along);
-  const auto* const least = std::min_element(all.begin(), all.end());
-  if (!(*least < kNever)) return {kNever, kUp};
-  const auto k = static_cast<std::size_t>(least - all.begin());
-  return {*least, offset(position, k) - along[k] * axis(k)};
+  const auto* const min = std::min_element(all.begin(), all.end());
+  if (!(*min < kNever)) return {kNever, kUp};
+  const auto k = static_cast<std::size_t>(min - all.begin());
+  return {*min, offset(position, k) - along[k] * axis(k)};
 }
 
 float Bark::trace(Vec3 from, Vec3 direction, float farthest) const {
   float way = 0;
   float nearest_way = 0;
   float gap = distance(from);
-  float least = gap;
-  for (int step = 1; step < kTraceSteps && least > 1e-4F * farthest; ++step) {
+  float min = gap;
+  for (int step = 1; step < kTraceSteps && min > 1e-4F * farthest; ++step) {
     way += std::max(gap, 1e-3F * farthest);
     if (!(way < farthest)) break;
     gap = distance(from + way * direction);
-    if (gap < least) {
-      least = gap;
+    if (gap < min) {
+      min = gap;
       nearest_way = way;
     }
   }
@@ -143,13 +143,13 @@ std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float 
   const Stop exit{point, high};
   const Vec3 direction = path.direction(point, kUp);
   const float sine = std::abs(glm::dot(direction, bark.nearest(place_at(path, exit)).normal()));
-  if (sine < kLeastSine) return std::nullopt;
+  if (sine < kMinSine) return std::nullopt;
   // Its side toward the crotch leaves later. The ring is placed there, plus the height of the fillet.
   const float radius = path.radius(point + 1);
   if (radius > kThickest * bark.radius()) return std::nullopt;
   const float crotch = radius * std::sqrt(std::max(0.0F, 1 - sine * sine)) / sine;
   const float fillet = std::min(size * radius, way_left(path, exit) - crotch - kGap * radius);
-  if (fillet < kLeastFillet * size * radius) return std::nullopt;
+  if (fillet < kMinFillet * size * radius) return std::nullopt;
   const Stop free = walk(path, exit, crotch + fillet);
   Collar collar;
   collar.fillet = fillet;

@@ -35,10 +35,10 @@ class Bark {
   float trace(Vec3 from, Vec3 direction, float farthest) const;
 
  private:
-  static constexpr std::size_t kMostCones = 12;
+  static constexpr std::size_t kMaxCones = 12;
   static constexpr float kNever = 1e30F;
 
-  using Column = std::array<float, kMostCones>;  // one value per cone
+  using Column = std::array<float, kMaxCones>;  // one value per cone
   using Columns = std::array<Column, 3>;
 
   void add(Vec3 base, Vec3 end, float base_radius, float end_radius);

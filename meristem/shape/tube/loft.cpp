@@ -276,14 +276,14 @@ class LoftMesher {
     DVec3 mean(0);
     for (std::uint32_t vertex = tip.begin; vertex < tip.end; ++vertex) mean += normals[vertex];
     mean = glm::length(mean) > 0 ? glm::normalize(mean) : DVec3(kUp);
-    double least = 1;
+    double min = 1;
     for (std::uint32_t vertex = tip.begin; vertex < tip.end; ++vertex) {
-      least = std::min(least, glm::dot(normals[vertex], mean));
+      min = std::min(min, glm::dot(normals[vertex], mean));
     }
     for (std::uint32_t vertex = tip.begin; vertex < tip.end; ++vertex) {
       const auto [a, b] = sides_[tip.first_side + (vertex - tip.begin)];
       const DVec3 side = normals[a] + normals[b];
-      if (least > kSharpCosine) {
+      if (min > kSharpCosine) {
         normals[vertex] = mean;
       } else if (glm::dot(side, normals[vertex]) > kFacing * glm::length(side)) {
         normals[vertex] = glm::normalize(side);

@@ -24,7 +24,7 @@ struct LoftSection {
 };
 
 /// An error in a section.
-struct LoftFault {
+struct LoftError {
   std::string message;               ///< description of the error
   std::string expected;              ///< what was expected, or empty
   std::optional<std::size_t> point;  ///< index of the point at fault, if it is a single one
@@ -33,7 +33,7 @@ struct LoftFault {
 /// Returns why a surface cannot pass through the section: no points, 2 points in a ring, more than 1000, numbers that
 /// are not finite, or neighbours at equal positions. Also rings along a line, and rings that cross themselves when
 /// projected along their area vector. Returns nothing for a valid section.
-std::optional<LoftFault> find_fault(const LoftSection& section);
+std::optional<LoftError> find_error(const LoftSection& section);
 
 /// The ends of a loft that have a cap.
 struct LoftCaps {

@@ -188,20 +188,20 @@ TEST(Loft, SectionsThatTouchLeaveNoSlivers) {
 }
 
 TEST(Loft, FaultsNameTheirPoint) {
-  const auto fault_at = [](std::vector<Vec3> points, bool is_closed) {
-    return find_fault({.points = std::move(points), .is_closed = is_closed}).value().point;
+  const auto error_at = [](std::vector<Vec3> points, bool is_closed) {
+    return find_error({.points = std::move(points), .is_closed = is_closed}).value().point;
   };
-  EXPECT_EQ(fault_at({}, true), std::nullopt);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {1, 0, 0}}, true), std::nullopt);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {1, 0, 0}, {std::numeric_limits<float>::infinity(), 0, 1}}, true), 2U);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {0, 0, 0}}, false), 1U);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 0}}, true), 3U);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, true), std::nullopt);
-  EXPECT_EQ(fault_at({{0, 0, 0}, {2, 0, 2}, {2, 0, 0}, {0, 0, 1}}, true), std::nullopt);
-  EXPECT_EQ(fault_at(std::vector<Vec3>(1001), false), 1000U);
-  EXPECT_FALSE(find_fault(ring(3, 1, 0)));
-  EXPECT_FALSE(find_fault(tip({0, 0, 0})));
-  EXPECT_FALSE(find_fault(row({{0, 0, 0}, {1, 0, 0}})));
+  EXPECT_EQ(error_at({}, true), std::nullopt);
+  EXPECT_EQ(error_at({{0, 0, 0}, {1, 0, 0}}, true), std::nullopt);
+  EXPECT_EQ(error_at({{0, 0, 0}, {1, 0, 0}, {std::numeric_limits<float>::infinity(), 0, 1}}, true), 2U);
+  EXPECT_EQ(error_at({{0, 0, 0}, {0, 0, 0}}, false), 1U);
+  EXPECT_EQ(error_at({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 0}}, true), 3U);
+  EXPECT_EQ(error_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, true), std::nullopt);
+  EXPECT_EQ(error_at({{0, 0, 0}, {2, 0, 2}, {2, 0, 0}, {0, 0, 1}}, true), std::nullopt);
+  EXPECT_EQ(error_at(std::vector<Vec3>(1001), false), 1000U);
+  EXPECT_FALSE(find_error(ring(3, 1, 0)));
+  EXPECT_FALSE(find_error(tip({0, 0, 0})));
+  EXPECT_FALSE(find_error(row({{0, 0, 0}, {1, 0, 0}})));
   EXPECT_THROW(make_loft(std::vector{LoftSection{}}), std::invalid_argument);
 }
 

@@ -21,7 +21,7 @@ constexpr float kHidden = 0.95F;           // share of the parent's inner radius
 constexpr float kBarkReach = 6;            // distance along the parent's axis that a collar may touch, in the parent's
                                            // radii
 constexpr float kFlareHeight = 4;          // in radii of the root
-constexpr float kLeastCollar = 0.3F;       // share of a branch's radius that must exceed the allowed roundness error
+constexpr float kMinCollar = 0.3F;         // share of a branch's radius that must exceed the allowed roundness error
 constexpr std::uint32_t kRoundCollar = 6;  // minimum number of sides; coarser tubes have no collar, which would double
                                            // a twig's triangles
 constexpr std::size_t kPlannedAxesPerBlock = 64;
@@ -51,7 +51,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
   }
   std::uint32_t meshes = 0;
   for (const TubeWear& wear : wears_) {
-    most_sides_ = std::max(most_sides_, wear.surface.sides);
+    max_sides_ = std::max(max_sides_, wear.surface.sides);
     meshes = std::max(meshes, wear.mesh + 1);
   }
   for (const std::uint32_t mesh : mesh_of_axis) meshes = std::max(meshes, mesh + 1);
@@ -251,8 +251,8 @@ void TubePlan::choose_sides(AxisIndex axis) {
   if (points.size() == 0) return;
   const float thickest = thickest_[wear(axis)];
   const double share = thickest > 0 ? math::pow(std::min(1.0F, points.radius(0) / thickest), 1.0 / 3) : 0;
-  const double most = std::max(3, surface(axis).sides);
-  plans_[axis].sides = static_cast<std::uint32_t>(std::max(3.0, std::floor(most * share + 0.5)));
+  const double max = std::max(3, surface(axis).sides);
+  plans_[axis].sides = static_cast<std::uint32_t>(std::max(3.0, std::floor(max * share + 0.5)));
 }
 
 void TubePlan::count_rings(AxisIndex axis) {
@@ -294,7 +294,7 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
   if (goes_on_[axis] != 0 && plan.start_radius <= radii_[points.parent]) return;
   const float hollow = roundness(skeleton_->axis[points.parent]);
   const bool is_round = plan.sides >= kRoundCollar;
-  if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {
+  if (surface(axis).collar > 0 && is_round && kMinCollar * plan.start_radius > hollow) {
     plan.collar = plan_collar(points, bark_below(points), surface(axis).collar);
     plan.sink = 2 * hollow;
   }

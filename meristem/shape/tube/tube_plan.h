@@ -68,7 +68,7 @@ class TubePlan {
   /// Returns the size of each mesh.
   const std::vector<TubeSize>& sizes() const { return sizes_; }
   std::size_t axis_count() const { return plans_.size(); }
-  int most_sides() const { return most_sides_; }
+  int max_sides() const { return max_sides_; }
   const AxisPlan& operator[](std::size_t axis) const { return plans_[axis]; }
   const Surface& surface(std::size_t axis) const { return wears_[wear(axis)].surface; }
   std::size_t node_count(AxisIndex axis) const { return axes_.of(axis).size(); }
@@ -107,7 +107,7 @@ class TubePlan {
   // Facts of each axis, found once, because both need the parent, which can be anywhere in memory.
   std::vector<std::uint8_t> goes_on_;
   std::vector<float> base_radius_;
-  int most_sides_ = 3;
+  int max_sides_ = 3;
   std::vector<float> thickest_;  // for each wear
   std::vector<float> radii_;     // indexed by node
   std::vector<AxisPlan> plans_;

@@ -55,11 +55,11 @@ struct Turn {
   float cosine, sine;
 };
 
-/// Cosines and sines of the corners of polygons with 3 to `most` sides. The last corner repeats the first.
+/// Cosines and sines of the corners of polygons with 3 to `max` sides. The last corner repeats the first.
 class CornerTable {
  public:
-  explicit CornerTable(int most) {
-    for (int sides = 3; sides <= most; ++sides) {
+  explicit CornerTable(int max) {
+    for (int sides = 3; sides <= max; ++sides) {
       first_.push_back(turns_.size());
       for (int k = 0; k <= sides; ++k) {
         const double angle = 2 * kPi * (k % sides) / sides;
@@ -525,7 +525,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     resize_large(meshes[k].triangles, size.triangles);
   }
   // Let every axis fill its part of the mesh.
-  const CornerTable corners(plan.most_sides());
+  const CornerTable corners(plan.max_sides());
   parallel_for(plan.axis_count(), kMeshedAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       // A successor is written after the axis that it succeeds.

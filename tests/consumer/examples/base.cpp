@@ -63,7 +63,7 @@ void expression() {
     Expression::compile("0.4*parnt", {.variables = {"parent"}, .constants = {}});
     expect(false);
   } catch (const ExpressionError& error) {
-    expect(error.fault().offset == 4 && error.fault().nearest == "parent");
+    expect(error.details().offset == 4 && error.details().nearest == "parent");
   }
 }
 
@@ -105,7 +105,7 @@ void input_error() {
                                 .line = 12,
                                 .column = 5});
   } catch (const InputError& error) {
-    for (const Diagnostic& fault : error.diagnostics()) std::puts(fault.text().c_str());
+    for (const Diagnostic& error : error.diagnostics()) std::puts(error.text().c_str());
     expect(error.diagnostics().size() == 1);
   }
 }

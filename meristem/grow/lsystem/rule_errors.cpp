@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/rule_errors.h"
 
 #include <cmath>
 #include <utility>
@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-void throw_rule_fault(const Rule& rule, std::string message, std::string expected) {
+void throw_rule_error(const Rule& rule, std::string message, std::string expected) {
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
   diagnostic.expected = std::move(expected);
@@ -30,7 +30,7 @@ void throw_word_too_long(std::string_view what, double wanted, std::uint64_t lim
 void require_finite(std::span<const double> values, const Rule& rule, const RuleFormula& formula) {
   for (const double value : values) {
     if (std::isfinite(value)) continue;
-    throw_rule_fault(rule,
+    throw_rule_error(rule,
                      fmt::format("{} is not a finite number where {} is applied", in_quotes(formula.expression.text()),
                                  in_quotes(rule.text)),
                      "a condition that leaves this case out (most likely a division by zero)");
@@ -41,7 +41,7 @@ void require_weights(std::span<const double> values, const Rule& rule, const Rul
   require_finite(values, rule, formula);
   for (const double value : values) {
     if (value >= 0) continue;
-    throw_rule_fault(
+    throw_rule_error(
         rule,
         fmt::format("the weight {} of {} is {}", in_quotes(formula.expression.text()), in_quotes(rule.text), value),
         "0 or more");

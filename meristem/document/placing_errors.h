@@ -10,7 +10,7 @@ namespace meristem {
 
 /// Returns the result of `work`. Sets the position, in the document's text, of errors that `work` throws.
 template <class Work>
-auto placing_faults(const Document& document, Work&& work) {
+auto placing_errors(const Document& document, Work&& work) {
   try {
     return work();
   } catch (const InputError& error) {

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// Throws an InputError at the rule's line.
-[[noreturn]] void throw_rule_fault(const Rule& rule, std::string message, std::string expected);
+[[noreturn]] void throw_rule_error(const Rule& rule, std::string message, std::string expected);
 /// Throws the InputError of limits.modules: `wanted` of `what` exceed `limit`, and this rule adds most.
 [[noreturn]] void throw_word_too_long(std::string_view what, double wanted, std::uint64_t limit, const Rule& rule);
 /// Throws the rule's error if a value of the formula is infinite or NaN.

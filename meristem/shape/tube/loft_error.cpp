@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostSectionPoints = 1000;
+constexpr std::size_t kMaxSectionPoints = 1000;
 constexpr double kSameSectionPoint = 1e-6;  // share of a section's extent
 
 /// Returns the first point of a row or ring that repeats the point before.
@@ -29,20 +29,19 @@ std::optional<std::size_t> repeated_point(const LoftSection& section) {
 
 }  // namespace
 
-std::optional<LoftFault> find_fault(const LoftSection& section) {
+std::optional<LoftError> find_error(const LoftSection& section) {
   const std::vector<Vec3>& points = section.points;
   const std::string wanted = section.is_closed ? "at least 3 points, or 1 for a tip" : "at least 2, or 1 for a tip";
-  if (points.empty()) return LoftFault{"it has no points", wanted, {}};
-  if (section.is_closed && points.size() == 2) return LoftFault{"a ring of 2 points encloses nothing", wanted, {}};
-  if (points.size() > kMostSectionPoints)
-    return LoftFault{"it has too many points", "at most 1000", kMostSectionPoints};
+  if (points.empty()) return LoftError{"it has no points", wanted, {}};
+  if (section.is_closed && points.size() == 2) return LoftError{"a ring of 2 points encloses nothing", wanted, {}};
+  if (points.size() > kMaxSectionPoints) return LoftError{"it has too many points", "at most 1000", kMaxSectionPoints};
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (std::isfinite(points[k].x) && std::isfinite(points[k].y) && std::isfinite(points[k].z)) continue;
-    return LoftFault{"this point is not finite", "finite numbers", k};
+    return LoftError{"this point is not finite", "finite numbers", k};
   }
   if (const auto repeated = repeated_point(section)) {
     const bool is_end = section.is_closed && *repeated + 1 == points.size();
-    return LoftFault{is_end ? "this point coincides with its neighbour or with the first point"
+    return LoftError{is_end ? "this point coincides with its neighbour or with the first point"
                             : "this point coincides with the one before",
                      section.is_closed ? "points that differ; a ring closes by itself" : "points that differ",
                      repeated};
@@ -51,10 +50,10 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   const DVec3 area = area_vector(points);
   const double extent = extent_of(points);
   if (!(glm::length(area) > kSameSectionPoint * extent * extent)) {
-    return LoftFault{"the ring encloses nothing", "points that are not all on a line", {}};
+    return LoftError{"the ring encloses nothing", "points that are not all on a line", {}};
   }
   if (crosses_itself(flattened(points, area))) {
-    return LoftFault{"the ring crosses or touches itself", "points in their order around an area", {}};
+    return LoftError{"the ring crosses or touches itself", "points in their order around an area", {}};
   }
   return {};
 }

@@ -104,7 +104,7 @@ class ColumnReader {
     throw_if_any();
     while (next_line() && !is_full()) read_row();
     throw_if_any();
-    if (found_.row_count() == 0) error(0, {.message = "the file has no rows below its head line"});
+    if (found_.row_count() == 0) add_error(0, {.message = "the file has no rows below its head line"});
     throw_if_any();
     return std::move(found_);
   }
@@ -124,7 +124,7 @@ class ColumnReader {
     return false;
   }
 
-  void error(std::size_t offset, Diagnostic diagnostic) {
+  void add_error(std::size_t offset, Diagnostic diagnostic) {
     diagnostic.line = number_;
     diagnostic.column = column_at(line_, offset);
     errors_.push_back(std::move(diagnostic));
@@ -145,12 +145,12 @@ class ColumnReader {
       places_.push_back(at == names.end() ? kNone : static_cast<std::size_t>(at - names.begin()));
       if (at == names.end()) {
         if (!form.is_needed) continue;
-        error(0, {.message = fmt::format("there is no column '{}'", form.name),
-                  .expected = "a head line that names it",
-                  .nearest = nearest_name(form.name, names)});
+        add_error(0, {.message = fmt::format("there is no column '{}'", form.name),
+                      .expected = "a head line that names it",
+                      .nearest = nearest_name(form.name, names)});
       } else if (const auto again = std::find(at + 1, names.end(), form.name); again != names.end()) {
-        error(cells_[static_cast<std::size_t>(again - names.begin())].offset,
-              {.message = fmt::format("the column '{}' appears twice", form.name)});
+        add_error(cells_[static_cast<std::size_t>(again - names.begin())].offset,
+                  {.message = fmt::format("the column '{}' appears twice", form.name)});
       }
     }
   }
@@ -158,8 +158,8 @@ class ColumnReader {
   void read_row() {
     split(line_, separator_, cells_);
     if (cells_.size() != width_) {
-      error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
-                .expected = fmt::format("{}, as the head line", width_)});
+      add_error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+                    .expected = fmt::format("{}, as the head line", width_)});
       return;
     }
     if (found_.row_count() >= max_rows_) {
@@ -178,12 +178,12 @@ class ColumnReader {
       }
       const std::optional<double> number = number_of(cell.text, separator_ != ',');
       if (!number) {
-        error(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
-                                                   in_quotes(cell.text.substr(0, kLongestShown)), forms_[k].name),
-                            .expected = "a finite number"});
+        add_error(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
+                                                       in_quotes(cell.text.substr(0, kLongestShown)), forms_[k].name),
+                                .expected = "a finite number"});
       } else if (!forms_[k].limit.holds(*number)) {
-        error(cell.offset, number_error(fmt::format("{} in the column '{}'", in_quotes(cell.text), forms_[k].name),
-                                        forms_[k].limit));
+        add_error(cell.offset, number_error(fmt::format("{} in the column '{}'", in_quotes(cell.text), forms_[k].name),
+                                            forms_[k].limit));
       }
       found_.numbers[k].push_back(number.value_or(0));
     }
@@ -223,7 +223,7 @@ class TableReader {
     throw_if_any();
     while (next_line() && errors_.size() < limits_.diagnostics) read_row();
     throw_if_any();
-    if (table_.lines.empty()) error(0, {.message = "the file has no rows below its head line"});
+    if (table_.lines.empty()) add_error(0, {.message = "the file has no rows below its head line"});
     throw_if_any();
     if (table_.row_count() > kMaxRows) throw_too_many(table_.row_count());
     return std::move(table_);
@@ -250,7 +250,7 @@ class TableReader {
     return false;
   }
 
-  void error(std::size_t offset, Diagnostic diagnostic) {
+  void add_error(std::size_t offset, Diagnostic diagnostic) {
     diagnostic.line = number_;
     diagnostic.column = column_at(line_, offset);
     errors_.push_back(std::move(diagnostic));
@@ -265,15 +265,15 @@ class TableReader {
     split(line_, separator_, cells_);
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n')) + 1;
     if (lines * cells_.size() > kMaxCells) {
-      error(0, {.message = fmt::format("the table has {} columns in {} lines", cells_.size(), lines),
-                .expected = fmt::format("at most {} cells", kMaxCells)});
+      add_error(0, {.message = fmt::format("the table has {} columns in {} lines", cells_.size(), lines),
+                    .expected = fmt::format("at most {} cells", kMaxCells)});
       return;
     }
     std::vector<std::string> names;
     for (const Cell& cell : cells_) {
       std::string name(cell.text.substr(0, kLongestName));
       if (!name.empty() && std::ranges::find(names, name) != names.end()) {
-        error(cell.offset, {.message = fmt::format("the column {} appears twice", in_quotes(name))});
+        add_error(cell.offset, {.message = fmt::format("the column {} appears twice", in_quotes(name))});
         if (errors_.size() >= limits_.diagnostics) return;
       }
       names.push_back(name);
@@ -285,8 +285,8 @@ class TableReader {
   void read_row() {
     split(line_, separator_, cells_);
     if (cells_.size() != table_.columns.size()) {
-      error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
-                .expected = fmt::format("{}, as the head line", table_.columns.size())});
+      add_error(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+                    .expected = fmt::format("{}, as the head line", table_.columns.size())});
       return;
     }
     for (std::size_t k = 0; k < cells_.size(); ++k) {
@@ -303,9 +303,9 @@ class TableReader {
       const bool is_empty = cell.text.empty();
       const std::optional<double> number = is_empty ? std::nullopt : number_of(cell.text, separator_ != ',');
       if (number && !kFileNumber.holds(*number)) {
-        error(cell.offset,
-              number_error(fmt::format("{} in the column {}", in_quotes(cell.text), in_quotes(column.name)),
-                           kFileNumber));
+        add_error(cell.offset,
+                  number_error(fmt::format("{} in the column {}", in_quotes(cell.text), in_quotes(column.name)),
+                               kFileNumber));
       }
       if (number || is_empty) {
         column.numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));

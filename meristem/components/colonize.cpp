@@ -81,17 +81,17 @@ void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterRea
               reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
-    reader.error(
+    reader.add_error(
         DocumentPath(path, "kill"),
         fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would vanish before they pull",
                     growth.kill, growth.influence),
         fmt::format("a number (m) below {:.7g}", growth.influence));
   }
   if (growth.step > growth.kill) {
-    reader.error(DocumentPath(path, "step"),
-                 fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
-                             growth.step, growth.kill),
-                 fmt::format("a number (m) of at most {:.7g}", growth.kill));
+    reader.add_error(DocumentPath(path, "step"),
+                     fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
+                                 growth.step, growth.kill),
+                     fmt::format("a number (m) of at most {:.7g}", growth.kill));
   }
 }
 

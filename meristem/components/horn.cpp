@@ -215,11 +215,11 @@ void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& re
   for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
   const auto error = find_error(section);
   if (error && error->point) {
-    reader.error(DocumentPath(outline, *error->point), error->message, error->expected);
+    reader.add_error(DocumentPath(outline, *error->point), error->message, error->expected);
   } else if (error) {
-    reader.error(outline, error->message, error->expected);
+    reader.add_error(outline, error->message, error->expected);
   } else if (section.is_point()) {
-    reader.error(outline, "the outline is a single point", "at least 3 points");
+    reader.add_error(outline, "the outline is a single point", "at least 3 points");
   }
 }
 

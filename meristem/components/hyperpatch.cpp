@@ -30,17 +30,18 @@ bool has_room(const Box& box) { return glm::all(glm::lessThan(box.low, box.high)
 
 void check(const Hyperpatch& patch, const DocumentPath& path, ParameterReader& reader) {
   if (patch.box && !has_room(*patch.box)) {
-    reader.error(DocumentPath(path, "box"), "the box is flat", "corners that differ in x, y and z");
+    reader.add_error(DocumentPath(path, "box"), "the box is flat", "corners that differ in x, y and z");
   }
   const BezierVolume::Degree degree = degree_of(patch);
   const std::size_t wanted = BezierVolume::point_count(degree);
   if (patch.points.empty() || patch.points.size() == wanted) return;
-  reader.error(DocumentPath(path, "points"),
-               fmt::format("a hyperpatch of degree [{}] has {} control points, and here are {}",
-                           fmt::join(degree, ", "), wanted, patch.points.size()),
-               fmt::format("{} x {} x {} of them: layer by layer from the lowest y up, in each layer row by row toward "
-                           "+z, in each row toward +x",
-                           degree[0] + 1, degree[1] + 1, degree[2] + 1));
+  reader.add_error(
+      DocumentPath(path, "points"),
+      fmt::format("a hyperpatch of degree [{}] has {} control points, and here are {}", fmt::join(degree, ", "), wanted,
+                  patch.points.size()),
+      fmt::format("{} x {} x {} of them: layer by layer from the lowest y up, in each layer row by row toward "
+                  "+z, in each row toward +x",
+                  degree[0] + 1, degree[1] + 1, degree[2] + 1));
 }
 
 /// Returns the control points. Points that differ from rest only by the rounding of decimals are set exactly to rest.

@@ -84,27 +84,28 @@ void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterRead
   bool has_width = false;
   for (const Vec2& point : blade.outline.points()) {
     if (point.y < 0 || point.y > 1) {
-      reader.error(DocumentPath(path, "outline"), "the outline leaves the range from 0 to 1",
-                   "half widths from 0 to 1");
+      reader.add_error(DocumentPath(path, "outline"), "the outline leaves the range from 0 to 1",
+                       "half widths from 0 to 1");
       return;
     }
     has_width = has_width || point.y > 0;
   }
-  if (!has_width) reader.error(DocumentPath(path, "outline"), "the outline is empty", "a half width above 0 somewhere");
+  if (!has_width)
+    reader.add_error(DocumentPath(path, "outline"), "the outline is empty", "a half width above 0 somewhere");
 }
 
 void check_polygon(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath polygon(path, "polygon");
   if (blade.polygon.size() > kMaxCorners) {
-    reader.error(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
-                 fmt::format("at most {}", kMaxCorners));
+    reader.add_error(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
+                     fmt::format("at most {}", kMaxCorners));
     return;
   }
   if (std::ranges::none_of(blade.polygon, [](Vec2 point) { return point.x > 0; })) {
-    reader.error(polygon, "the polygon is empty", "a half width above 0 somewhere");
+    reader.add_error(polygon, "the polygon is empty", "a half width above 0 somewhere");
   } else if (polygon_crosses_itself(blade)) {
-    reader.error(polygon, "the polygon crosses or touches itself or the midrib",
-                 "the right edge in its order from the joint [0, 0] to the tip [0, 1]");
+    reader.add_error(polygon, "the polygon crosses or touches itself or the midrib",
+                     "the right edge in its order from the joint [0, 0] to the tip [0, 1]");
   }
 }
 
@@ -115,14 +116,14 @@ void check_leaf(const Leaf& leaf, const DocumentPath& path, ParameterReader& rea
     check_polygon(leaf.blade, path, reader);
   }
   if (leaf.blade.across % 2 != 0) {
-    reader.error(DocumentPath(path, "across"), "'across' is odd",
-                 "an even number, so that a row of points is the midrib");
+    reader.add_error(DocumentPath(path, "across"), "'across' is odd",
+                     "an even number, so that a row of points is the midrib");
   }
   const TextureParameters& texture = leaf.texture;
   const bool cuts = texture.leaf || texture.petal || (texture.picture && texture.picture->masked);
   if (leaf.blade.edge == LeafBlade::Edge::picture && !cuts) {
-    reader.error(DocumentPath(path, "edge"), "no texture cuts out the edge",
-                 "a 'texture' that is a leaf, a petal or a masked picture, or the edge 'shape'");
+    reader.add_error(DocumentPath(path, "edge"), "no texture cuts out the edge",
+                     "a 'texture' that is a leaf, a petal or a masked picture, or the edge 'shape'");
   }
 }
 

@@ -177,19 +177,20 @@ void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterRead
   if (!plant.grammar && !plant.file) return;  // the table has already reported this
   const Grammar& grammar = plant.source().grammar;
   if (grammar.is_timed && plant.steps) {
-    reader.error(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps", "'time'");
+    reader.add_error(DocumentPath(path, "steps"), "the rules of the grammar have lives, so it counts no steps",
+                     "'time'");
   } else if (!grammar.is_timed && plant.time) {
-    reader.error(DocumentPath(path, "time"), "no rule of the grammar has a life, so it knows no time",
-                 "'steps', or rules such as A @ 1 -> A B");
+    reader.add_error(DocumentPath(path, "time"), "no rule of the grammar has a life, so it knows no time",
+                     "'steps', or rules such as A @ 1 -> A B");
   } else if (grammar.is_timed && !plant.time && !grammar.time) {
-    reader.error(path, "the time at which the grammar stands is not given", "'time', or #time in the grammar");
+    reader.add_error(path, "the time at which the grammar stands is not given", "'time', or #time in the grammar");
   } else if (!grammar.is_timed && !plant.steps && !grammar.steps) {
-    reader.error(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
+    reader.add_error(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
   }
   const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
   if (counts_steps && plant.turtle.length == 0) {
-    reader.error(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
-                 "a 'length' other than 0");
+    reader.add_error(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
+                     "a 'length' other than 0");
   }
 }
 

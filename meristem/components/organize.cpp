@@ -226,8 +226,8 @@ void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader
     const std::optional<int>& number = common_of(tree.operations[k]).tree;
     if (!number || static_cast<std::size_t>(*number) < trees) continue;
     const DocumentPath operation(operations, k);
-    reader.error(DocumentPath(operation, "tree"), fmt::format("there is no tree {}", *number),
-                 fmt::format("a number of the trees at 'roots', from 0 to {}", trees - 1));
+    reader.add_error(DocumentPath(operation, "tree"), fmt::format("there is no tree {}", *number),
+                     fmt::format("a number of the trees at 'roots', from 0 to {}", trees - 1));
   }
 }
 
@@ -235,14 +235,14 @@ void check_organize(const Organize& tree, const DocumentPath& path, ParameterRea
   const BudLightModel& light = tree.light.model;
   const DocumentPath light_place(path, "light");
   if (light.voxel > 0 && light.voxel * kMaxVoxelsAMetamer < tree.growth.length) {
-    reader.error(DocumentPath(light_place, "voxel"), "the voxels are too small for metamers this long",
-                 fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMaxVoxelsAMetamer));
+    reader.add_error(DocumentPath(light_place, "voxel"), "the voxels are too small for metamers this long",
+                     fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMaxVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
   if (light.kind == BudLightModel::Kind::markers && voxels > kMaxVoxels) {
-    reader.error(DocumentPath(light_place, "spacing"),
-                 fmt::format("buds would look over {:.3g} markers each way", voxels),
-                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMaxVoxels));
+    reader.add_error(
+        DocumentPath(light_place, "spacing"), fmt::format("buds would look over {:.3g} markers each way", voxels),
+        fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMaxVoxels));
   }
   check_schedules(tree, path, reader);
   check_balance(tree, path, reader);

@@ -53,7 +53,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
 
 void check_zone(const Phiball& ball, const DocumentPath& path, ParameterReader& reader) {
   if (ball.theta1 < ball.theta2) return;
-  reader.error(DocumentPath(path, "theta1"), kNoZone, kZone);
+  reader.add_error(DocumentPath(path, "theta1"), kNoZone, kZone);
 }
 
 }  // namespace

@@ -104,15 +104,15 @@ double sites_of(const PlantedLine& line) {
 void check(const Places& places, const DocumentPath& path, ParameterReader& reader) {
   const auto require_few = [&](const char* name, double count) {
     if (count > static_cast<double>(kMaxRows)) {
-      reader.error(DocumentPath(path, name), fmt::format("{:.0f} sites are too many", count),
-                   fmt::format("at most {}", kMaxRows));
+      reader.add_error(DocumentPath(path, name), fmt::format("{:.0f} sites are too many", count),
+                       fmt::format("at most {}", kMaxRows));
     }
   };
   if (places.area) {
     const DocumentPath area(path, "area");
     if (places.area->polygon.size() < 3 || doubled_area(places.area->polygon) == 0) {
-      reader.error(DocumentPath(area, "polygon"), "the polygon encloses nothing",
-                   "at least three corners [x, z] around an area");
+      reader.add_error(DocumentPath(area, "polygon"), "the polygon encloses nothing",
+                       "at least three corners [x, z] around an area");
     } else {
       require_few("area", sites_of(*places.area));
     }
@@ -120,7 +120,7 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   if (places.line) {
     const DocumentPath line(path, "line");
     if (places.line->points.size() < 2 || length_of(places.line->points) == 0) {
-      reader.error(DocumentPath(line, "points"), "the line has no length", "at least two different points [x, z]");
+      reader.add_error(DocumentPath(line, "points"), "the line has no length", "at least two different points [x, z]");
     } else {
       require_few("line", sites_of(*places.line));
     }
@@ -132,13 +132,13 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   if (column == nullptr) {
     const std::vector<std::string> names = table.names();
     const std::string nearest = reader.nearest(places.choose, names);
-    reader.error(choose, fmt::format("'{}' has no column '{}'", places.table->file, places.choose),
-                 nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
+    reader.add_error(choose, fmt::format("'{}' has no column '{}'", places.table->file, places.choose),
+                     nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     return;
   }
   if (column->has_numbers()) {
-    reader.error(choose, fmt::format("the column '{}' of '{}' has numbers", places.choose, places.table->file),
-                 "a column of texts, each the id of a component or one of 'names'");
+    reader.add_error(choose, fmt::format("the column '{}' of '{}' has numbers", places.choose, places.table->file),
+                     "a column of texts, each the id of a component or one of 'names'");
     return;
   }
   for (const auto& [text, name] : places.names) {

@@ -28,9 +28,9 @@ void check_silhouette(const Revolution& component, const DocumentPath& path, Par
   if (!error) return;
   const DocumentPath silhouette(path, "silhouette");
   if (error->point) {
-    reader.error(DocumentPath(silhouette, *error->point), error->message, error->expected);
+    reader.add_error(DocumentPath(silhouette, *error->point), error->message, error->expected);
   } else {
-    reader.error(silhouette, error->message, error->expected);
+    reader.add_error(silhouette, error->message, error->expected);
   }
 }
 

@@ -89,9 +89,9 @@ void check_outline(const Simple& simple, const DocumentPath& path, ParameterRead
   const DocumentPath outline(path, "outline");
   if (const auto error = find_error(make_section(simple))) {
     if (error->point) {
-      reader.error(DocumentPath(outline, *error->point), error->message, error->expected);
+      reader.add_error(DocumentPath(outline, *error->point), error->message, error->expected);
     } else {
-      reader.error(outline, error->message, error->expected);
+      reader.add_error(outline, error->message, error->expected);
     }
   }
 }

@@ -40,8 +40,8 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     set_value.max = handle.max;
     const bool is_beyond = set_value.value < handle.min || handle.max < set_value.value;
     if (!is_beyond || reader.is_worked_out(own) || reader.is_worked_out(DocumentPath(own, "value"))) continue;
-    reader.error(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
-                 fmt::format("{:.12g} to {:.12g}", handle.min, handle.max));
+    reader.add_error(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
+                     fmt::format("{:.12g} to {:.12g}", handle.min, handle.max));
   }
 }
 

@@ -43,8 +43,8 @@ ComponentType trim_component() {
                         .boolean("off", &Trim::off, "Whether the trims above end here; a body beside it holds alone.")
                         .check([](const Trim& trim, const DocumentPath& path, ParameterReader& reader) {
                           if (trim.body || trim.off) return;
-                          reader.error(DocumentPath(path, "off"), "a trim that is not off has no body",
-                                       "a 'body', or \"off\": true");
+                          reader.add_error(DocumentPath(path, "off"), "a trim that is not off has no body",
+                                           "a 'body', or \"off\": true");
                         }),
       .expand = expand,
   });

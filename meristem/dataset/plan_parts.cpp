@@ -31,8 +31,8 @@ void read_fixed_views(const Value::List& views, const DocumentPath& path, Parame
     if (is_pair) {
       pictures.fixed_views.emplace_back(*(*pair)[0].number(), *(*pair)[1].number());
     } else {
-      reader.error(DocumentPath(path, k), fmt::format("a view cannot be {}", views[k].description()),
-                   fmt::format("[azimuth, altitude]: {}", kKnownSides));
+      reader.add_error(DocumentPath(path, k), fmt::format("a view cannot be {}", views[k].description()),
+                       fmt::format("[azimuth, altitude]: {}", kKnownSides));
     }
   }
 }
@@ -47,19 +47,19 @@ void read_row_of_seeds(const Value& given, const DocumentPath& path, const char*
   }
   const Value* const first = given.find("first");
   const Value* const count = given.find("count");
-  if (count == nullptr) return reader.error(path, "the seeds have no count", expected);
+  if (count == nullptr) return reader.add_error(path, "the seeds have no count", expected);
   if (!is_whole(*count, 1, static_cast<double>(kMaxPlants))) {
-    return reader.error(DocumentPath(path, "count"),
-                        fmt::format("the count of seeds cannot be {}", count->description()),
-                        fmt::format("a whole number from 1 to {}", kMaxPlants));
+    return reader.add_error(DocumentPath(path, "count"),
+                            fmt::format("the count of seeds cannot be {}", count->description()),
+                            fmt::format("a whole number from 1 to {}", kMaxPlants));
   }
   plan.seed_count = static_cast<std::uint64_t>(*count->number());
   if (first == nullptr) return;
   if (is_whole(*first, 0, static_cast<double>(kLargestSeed - plan.seed_count))) {
     plan.first_seed = static_cast<std::uint64_t>(*first->number());
   } else {
-    reader.error(DocumentPath(path, "first"), fmt::format("the first seed cannot be {}", first->description()),
-                 "a whole number from 0, so that the last is at most 9007199254740992");
+    reader.add_error(DocumentPath(path, "first"), fmt::format("the first seed cannot be {}", first->description()),
+                     "a whole number from 0, so that the last is at most 9007199254740992");
   }
 }
 
@@ -67,13 +67,13 @@ void read_row_of_seeds(const Value& given, const DocumentPath& path, const char*
 
 void read_plan_views(const Value& given, const DocumentPath& path, ParameterReader& reader, PicturePlan& pictures) {
   if (pictures.colour == PicturePlan::Colour::jpg && pictures.transparent) {
-    reader.error(DocumentPath(path, "colour"), "a JPEG cannot be transparent", "\"colour\": \"png\"");
+    reader.add_error(DocumentPath(path, "colour"), "a JPEG cannot be transparent", "\"colour\": \"png\"");
   }
   const bool is_anything = pictures.colour != PicturePlan::Colour::none || pictures.depth != PicturePlan::Map::none ||
                            pictures.normals != PicturePlan::Map::none || pictures.organs || pictures.shoots ||
                            pictures.plants || pictures.coco;
   if (!is_anything)
-    reader.error(path, "these pictures show nothing", "one of depth, normals, organs, shoots, plants or coco");
+    reader.add_error(path, "these pictures show nothing", "one of depth, normals, organs, shoots, plants or coco");
   const Value* const views = given.find("views");
   const DocumentPath views_path(path, "views");
   if (views != nullptr && views->list() != nullptr && !views->list()->empty()) {
@@ -82,8 +82,8 @@ void read_plan_views(const Value& given, const DocumentPath& path, ParameterRead
     if (is_whole(*views, 1, 10'000)) {
       pictures.drawn_views = static_cast<int>(*views->number());
     } else {
-      reader.error(views_path, fmt::format("the views are {}", views->description()),
-                   "a number of views from 1 to 10000, or a list of pairs [azimuth, altitude]");
+      reader.add_error(views_path, fmt::format("the views are {}", views->description()),
+                       "a number of views from 1 to 10000, or a list of pairs [azimuth, altitude]");
     }
   }
   for (const auto& [name, variation] : {std::pair{"azimuth", &pictures.azimuth}, {"altitude", &pictures.altitude}}) {
@@ -101,7 +101,7 @@ void read_plan_views(const Value& given, const DocumentPath& path, ParameterRead
       read->low = std::max(read->low.value_or(-max), -max);
       read->high = std::min(read->high.value_or(max), max);
       if (!read->is_number() || read->share_within() < kMinShareWithin) {
-        reader.error(own, fmt::format("this is hardly ever an {}", name), std::string(kKnownSides));
+        reader.add_error(own, fmt::format("this is hardly ever an {}", name), std::string(kKnownSides));
       }
       *variation = *read;
     }
@@ -120,19 +120,19 @@ void read_plan_seeds(const Value& given, const DocumentPath& path, ParameterRead
     for (std::size_t k = 0; k < list->size(); ++k) {
       const DocumentPath own(path, k);
       if (!is_whole((*list)[k], 0, largest)) {
-        reader.error(own, fmt::format("a seed cannot be {}", (*list)[k].description()), std::string(kSeedRange));
+        reader.add_error(own, fmt::format("a seed cannot be {}", (*list)[k].description()), std::string(kSeedRange));
         continue;
       }
       plan.seeds.push_back(static_cast<std::uint64_t>(*(*list)[k].number()));
       if (!known.insert(plan.seeds.back()).second) {
-        reader.error(own, fmt::format("the seed {} stands twice", plan.seeds.back()), "each seed once");
+        reader.add_error(own, fmt::format("the seed {} stands twice", plan.seeds.back()), "each seed once");
       }
     }
     plan.seed_count = plan.seeds.size();
   } else if (given.object() != nullptr) {
     read_row_of_seeds(given, path, expected, reader, plan);
   } else {
-    reader.error(path, fmt::format("the seeds are {}", given.description()), expected);
+    reader.add_error(path, fmt::format("the seeds are {}", given.description()), expected);
   }
 }
 

@@ -60,8 +60,8 @@ class PlanReader {
     read_files();
     read_measures();
     if (plan_.files.empty() && plan_.measures.empty() && !plan_.pictures && reader_.error_count() == 0) {
-      reader_.error(top_, "the plan keeps nothing of its plants",
-                    "one or more of \"files\", \"pictures\" and \"measures\"");
+      reader_.add_error(top_, "the plan keeps nothing of its plants",
+                        "one or more of \"files\", \"pictures\" and \"measures\"");
     }
     if (reader_.error_count() == 0) read_documents();
     if (reader_.error_count() == 0 && others_.empty()) check_count();
@@ -89,8 +89,8 @@ class PlanReader {
   /// Reads an object of paths and values. Reports a fault for any other value and returns nothing.
   std::optional<PathValues> paths_and_values(const Value& given, const DocumentPath& path, std::string_view what) {
     if (given.object() == nullptr) {
-      reader_.error(path, fmt::format("{} {}", what, given.description()),
-                    "an object of values by their paths, such as {\"age\": 20}");
+      reader_.add_error(path, fmt::format("{} {}", what, given.description()),
+                        "an object of values by their paths, such as {\"age\": 20}");
       return std::nullopt;
     }
     PathValues values;
@@ -143,8 +143,9 @@ class PlanReader {
     if (!given) return;
     for (const auto& [name, values] : *given) {
       if (values.list() == nullptr || values.list()->empty()) {
-        reader_.error(DocumentPath(path, name), fmt::format("a path of the grid cannot have {}", values.description()),
-                      "a list of at least one value");
+        reader_.add_error(DocumentPath(path, name),
+                          fmt::format("a path of the grid cannot have {}", values.description()),
+                          "a list of at least one value");
         continue;
       }
       plan_.grid.emplace_back(name, *values.list());
@@ -154,8 +155,8 @@ class PlanReader {
 
   void read_samples(const Value& samples, const DocumentPath& path) {
     if (samples.list() == nullptr || samples.list()->empty()) {
-      reader_.error(path, fmt::format("the samples are {}", samples.description()),
-                    "a list of objects, such as [{\"age\": 20}, {\"age\": 40}]");
+      reader_.add_error(path, fmt::format("the samples are {}", samples.description()),
+                        "a list of objects, such as [{\"age\": 20}, {\"age\": 40}]");
       return;
     }
     std::set<std::string> known;
@@ -174,8 +175,8 @@ class PlanReader {
     if (given == nullptr) return;
     const DocumentPath path(top_, "files");
     if (given->list() == nullptr) {
-      reader_.error(path, fmt::format("the files are {}", given->description()),
-                    "a list of endings, such as [\".glb\", \".mtg\"]");
+      reader_.add_error(path, fmt::format("the files are {}", given->description()),
+                        "a list of endings, such as [\".glb\", \".mtg\"]");
       return;
     }
     std::vector<std::string> endings;
@@ -185,22 +186,22 @@ class PlanReader {
       const DocumentPath own(path, k);
       const Value* const said = element.object() == nullptr ? &element : element.find("ending");
       if (said == nullptr || said->text() == nullptr) {
-        reader_.error(own, fmt::format("a file cannot be {}", element.description()),
-                      "an ending such as \".glb\", or an object with \"ending\" and settings");
+        reader_.add_error(own, fmt::format("a file cannot be {}", element.description()),
+                          "an ending such as \".glb\", or an object with \"ending\" and settings");
         continue;
       }
       std::string ending = lower_case(*said->text());
       if (!ending.starts_with('.')) ending.insert(0, ".");
       const PlantOutput* const output = find_plant_output(ending);
       if (output == nullptr) {
-        reader_.error(element.object() == nullptr ? own : DocumentPath(own, "ending"),
-                      fmt::format("'{}' is not a format that can be written", *said->text()),
-                      fmt::format("one of {}", fmt::join(endings, ", ")), nearest_name(ending, endings));
+        reader_.add_error(element.object() == nullptr ? own : DocumentPath(own, "ending"),
+                          fmt::format("'{}' is not a format that can be written", *said->text()),
+                          fmt::format("one of {}", fmt::join(endings, ", ")), nearest_name(ending, endings));
         continue;
       }
       const auto is_it = [output](const PlannedFile& file) { return file.output == output; };
       if (std::any_of(plan_.files.begin(), plan_.files.end(), is_it)) {
-        reader_.error(own, fmt::format("'{}' stands twice", ending), "each ending once");
+        reader_.add_error(own, fmt::format("'{}' stands twice", ending), "each ending once");
       }
       plan_.files.push_back({output, settings_of(*output, element, own)});
     }
@@ -224,9 +225,9 @@ class PlanReader {
       try {
         output.check(settings);
       } catch (const InputError& error) {
-        for (const Diagnostic& error : error.diagnostics()) {
-          reader_.error(error.path.empty() ? path : DocumentPath(path, error.path), error.message, error.expected,
-                        error.nearest);
+        for (const Diagnostic& found : error.diagnostics()) {
+          reader_.add_error(found.path.empty() ? path : DocumentPath(path, found.path), found.message, found.expected,
+                            found.nearest);
         }
       }
     }
@@ -247,8 +248,8 @@ class PlanReader {
       return;
     }
     if (given->list() == nullptr) {
-      reader_.error(path, fmt::format("the measures are {}", given->description()),
-                    "a list of names, such as [\"height\", \"leaf_area\"], or \"all\"");
+      reader_.add_error(path, fmt::format("the measures are {}", given->description()),
+                        "a list of names, such as [\"height\", \"leaf_area\"], or \"all\"");
       return;
     }
     for (std::size_t k = 0; k < given->list()->size(); ++k) {
@@ -256,9 +257,9 @@ class PlanReader {
       const bool is_known =
           element.text() != nullptr && std::find(names.begin(), names.end(), *element.text()) != names.end();
       if (!is_known) {
-        reader_.error(DocumentPath(path, k), fmt::format("there is no measure that is {}", element.description()),
-                      fmt::format("one of {}", fmt::join(names, ", ")),
-                      element.text() == nullptr ? "" : nearest_name(*element.text(), names));
+        reader_.add_error(DocumentPath(path, k), fmt::format("there is no measure that is {}", element.description()),
+                          fmt::format("one of {}", fmt::join(names, ", ")),
+                          element.text() == nullptr ? "" : nearest_name(*element.text(), names));
       } else if (std::find(plan_.measures.begin(), plan_.measures.end(), *element.text()) == plan_.measures.end()) {
         plan_.measures.push_back(*element.text());
       }
@@ -314,10 +315,10 @@ class PlanReader {
       } catch (const InputError& error) {
         const Diagnostic& error = error.diagnostics().front();
         const fs::path nearest = fs::path(error.nearest).lexically_relative(fs::path(file_).parent_path());
-        reader_.error(own, error.message, error.expected, nearest.empty() ? error.nearest : nearest.string());
+        reader_.add_error(own, error.message, error.expected, nearest.empty() ? error.nearest : nearest.string());
         continue;
       } catch (const MachineError& error) {
-        reader_.error(own, error.what(), "a document, or the name of a shipped model");
+        reader_.add_error(own, error.what(), "a document, or the name of a shipped model");
         continue;
       }
       if (const Value* set = (*list->list())[k].find("set")) {
@@ -333,17 +334,17 @@ class PlanReader {
     std::vector<Named> named = named_documents();
     if (reader_.error_count() > 0) return;
     if (named.empty()) {
-      return reader_.error(top_, "the plan has no documents", "a list such as \"documents\": [\"oak\"]");
+      return reader_.add_error(top_, "the plan has no documents", "a list such as \"documents\": [\"oak\"]");
     }
     if (named.size() > kMaxPlanDocuments) {
-      return reader_.error(path, fmt::format("{} documents are too many", named.size()),
-                           fmt::format("at most {}", kMaxPlanDocuments));
+      return reader_.add_error(path, fmt::format("{} documents are too many", named.size()),
+                               fmt::format("at most {}", kMaxPlanDocuments));
     }
     std::set<std::string> names;
     for (Named& one : named) {
       one.name = file_word(one.name);
       if (!names.insert(one.name).second) {
-        reader_.error(path, fmt::format("two documents are called '{}'", one.name), "a \"name\" for one of them");
+        reader_.add_error(path, fmt::format("two documents are called '{}'", one.name), "a \"name\" for one of them");
         continue;
       }
       read_document_of(one);
@@ -377,10 +378,10 @@ class PlanReader {
     if (variation.share_within() >= kMinShareWithin) return;
     const DocumentPath vary(top_, "vary");
     const double inf = std::numeric_limits<double>::infinity();
-    reader_.error(DocumentPath(vary, path),
-                  fmt::format("less than a hundredth of this distribution lies from {} to {}",
-                              variation.low.value_or(-inf), variation.high.value_or(inf)),
-                  "a distribution within the range of the variable, or bounds in \"within\"");
+    reader_.add_error(DocumentPath(vary, path),
+                      fmt::format("less than a hundredth of this distribution lies from {} to {}",
+                                  variation.low.value_or(-inf), variation.high.value_or(inf)),
+                      "a distribution within the range of the variable, or bounds in \"within\"");
   }
 
   /// Returns the first value of everything. Each override is named by its position in the plan.
@@ -411,7 +412,7 @@ class PlanReader {
                             .store = &store_,
                             .models = options_.models});
     } catch (const InputError& error) {
-      for (const Diagnostic& error : error.diagnostics()) add_error(error, named);
+      for (const Diagnostic& found : error.diagnostics()) add_error(found, named);
       return std::nullopt;
     }
   }
@@ -488,7 +489,7 @@ class PlanReader {
     if (!plan_.samples.empty()) count *= static_cast<double>(plan_.samples.size());
     for (const auto& [path, values] : plan_.grid) count *= static_cast<double>(values.size());
     if (count <= static_cast<double>(kMaxPlants)) return;
-    reader_.error(top_, fmt::format("{:.4g} plants are too many", count), fmt::format("at most {}", kMaxPlants));
+    reader_.add_error(top_, fmt::format("{:.4g} plants are too many", count), fmt::format("at most {}", kMaxPlants));
   }
 
   void finish() {

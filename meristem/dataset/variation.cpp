@@ -132,8 +132,8 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
                   Variation& variation) {
   const Value::List* const list = choices.list();
   if (list == nullptr || list->empty()) {
-    reader.error(DocumentPath(path, "choice"), fmt::format("the choices are {}", choices.description()),
-                 "a list of at least one value");
+    reader.add_error(DocumentPath(path, "choice"), fmt::format("the choices are {}", choices.description()),
+                     "a list of at least one value");
     return false;
   }
   variation.choices = *list;
@@ -143,8 +143,8 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
   const bool is_right = numbers && std::all_of(numbers->begin(), numbers->end(), [](double w) { return w >= 0; }) &&
                         std::any_of(numbers->begin(), numbers->end(), [](double w) { return w > 0; });
   if (!is_right) {
-    reader.error(DocumentPath(path, "weights"), fmt::format("the weights are {}", weights->description()),
-                 fmt::format("{} numbers, one per choice, none below 0 and not all 0", list->size()));
+    reader.add_error(DocumentPath(path, "weights"), fmt::format("the weights are {}", weights->description()),
+                     fmt::format("{} numbers, one per choice, none below 0 and not all 0", list->size()));
     return false;
   }
   variation.weights = *numbers;
@@ -211,7 +211,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   const std::string expected =
       fmt::format("an object with one of {}, such as {{\"uniform\": [20, 60]}}", fmt::join(names, ", "));
   if (value.object() == nullptr) {
-    reader.error(path, fmt::format("a distribution cannot be {}", value.description()), expected);
+    reader.add_error(path, fmt::format("a distribution cannot be {}", value.description()), expected);
     return std::nullopt;
   }
   std::size_t kinds = 0;
@@ -230,8 +230,8 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
     }
   }
   if (kinds != 1) {
-    reader.error(path, kinds == 0 ? "the distribution has no kind" : "the distribution has more than one kind",
-                 expected);
+    reader.add_error(path, kinds == 0 ? "the distribution has no kind" : "the distribution has more than one kind",
+                     expected);
     return std::nullopt;
   }
   const VariationForm& form = kVariationForms.at(static_cast<std::size_t>(variation.kind));
@@ -246,8 +246,8 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   } else {
     const auto numbers = finite_numbers(given, form.count);
     if (!numbers || !are_right(variation.kind, *numbers)) {
-      reader.error(DocumentPath(path, form.name), fmt::format("'{}' cannot be {}", form.name, given.description()),
-                   std::string(form.numbers));
+      reader.add_error(DocumentPath(path, form.name), fmt::format("'{}' cannot be {}", form.name, given.description()),
+                       std::string(form.numbers));
       return std::nullopt;
     }
     variation.numbers = *numbers;
@@ -256,9 +256,9 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   if (within == nullptr) return variation;
   const auto bounds = finite_numbers(*within, 2);
   if (chooses || !bounds || !((*bounds)[0] <= (*bounds)[1])) {
-    reader.error(DocumentPath(path, "within"),
-                 chooses ? "choices have no bounds" : fmt::format("the bounds are {}", within->description()),
-                 chooses ? "a list of the choices that are meant" : "two numbers [low, high]");
+    reader.add_error(DocumentPath(path, "within"),
+                     chooses ? "choices have no bounds" : fmt::format("the bounds are {}", within->description()),
+                     chooses ? "a list of the choices that are meant" : "two numbers [low, high]");
     return std::nullopt;
   }
   variation.low = (*bounds)[0];

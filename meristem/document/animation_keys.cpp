@@ -115,8 +115,8 @@ class KeyReader {
     const DocumentPath place(animation_place, "keys");
     if (given->object() == nullptr) {
       if (!of_variables) {
-        reader_.error(place, fmt::format("the keys are {}", given->description()),
-                      R"(an object such as {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]})");
+        reader_.add_error(place, fmt::format("the keys are {}", given->description()),
+                          R"(an object such as {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]})");
       }
       return {};
     }
@@ -238,8 +238,8 @@ class KeyReader {
   std::vector<WrittenKey> read_keys(const Parameter& row, const Value& list, const DocumentPath& place) {
     std::vector<WrittenKey> keys;
     if (list.list() == nullptr || list.list()->empty()) {
-      reader_.error(place, fmt::format("the keys of '{}' are {}", row.name, list.description()),
-                    R"(a list of keys such as [[0, 0.05], [4, 1.8, "smooth"]])");
+      reader_.add_error(place, fmt::format("the keys of '{}' are {}", row.name, list.description()),
+                        R"(a list of keys such as [[0, 0.05], [4, 1.8, "smooth"]])");
       return keys;
     }
     for (std::size_t k = 0; k < list.list()->size(); ++k) {
@@ -247,8 +247,8 @@ class KeyReader {
       const Value& written = (*list.list())[k];
       const Value::List* parts = written.list();
       if (parts == nullptr || parts->size() < 2 || parts->size() > 3) {
-        reader_.error(own, fmt::format("a key is {}", written.description()),
-                      R"([time, value], or [time, value, "smooth"])");
+        reader_.add_error(own, fmt::format("a key is {}", written.description()),
+                          R"([time, value], or [time, value, "smooth"])");
         continue;
       }
       WrittenKey key{.value = &(*parts)[1]};
@@ -256,11 +256,11 @@ class KeyReader {
       if (!read_time((*parts)[0], DocumentPath(own, std::size_t{0}), key.time)) continue;
       if (parts->size() == 3) read_way(row, (*parts)[2], DocumentPath(own, std::size_t{2}), key.way);
       if (!keys.empty() && !(keys.back().time < key.time)) {
-        reader_.error(DocumentPath(own, std::size_t{0}),
-                      keys.back().time == key.time
-                          ? fmt::format("there are two keys at {:.12g} s", key.time)
-                          : fmt::format("the key at {:.12g} s follows one at {:.12g} s", key.time, keys.back().time),
-                      "keys at rising times");
+        reader_.add_error(DocumentPath(own, std::size_t{0}),
+                          keys.back().time == key.time ? fmt::format("there are two keys at {:.12g} s", key.time)
+                                                       : fmt::format("the key at {:.12g} s follows one at {:.12g} s",
+                                                                     key.time, keys.back().time),
+                          "keys at rising times");
         continue;
       }
       keys.push_back(key);
@@ -273,20 +273,21 @@ class KeyReader {
       time = *value.number();
       return true;
     }
-    reader_.error(place, fmt::format("the time of a key cannot be {}", value.description()), "seconds of at least 0");
+    reader_.add_error(place, fmt::format("the time of a key cannot be {}", value.description()),
+                      "seconds of at least 0");
     return false;
   }
 
   void read_way(const Parameter& row, const Value& value, const DocumentPath& place, Track::Way& way) {
     const auto found = value.text() == nullptr ? kWays.end() : std::ranges::find(kWays, *value.text());
     if (found == kWays.end()) {
-      return reader_.error(place, fmt::format("{} is not a way between keys", value.description()),
-                           "linear, smooth or step",
-                           value.text() == nullptr ? "" : reader_.nearest(*value.text(), kWays));
+      return reader_.add_error(place, fmt::format("{} is not a way between keys", value.description()),
+                               "linear, smooth or step",
+                               value.text() == nullptr ? "" : reader_.nearest(*value.text(), kWays));
     }
     way = static_cast<Track::Way>(found - kWays.begin());
     if (row.has_values_between() || way == Track::Way::step) return;
-    reader_.error(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
+    reader_.add_error(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
   }
 
   /// Returns the keys if the value differs from instance to instance. Otherwise returns the value of the keys at the
@@ -323,8 +324,8 @@ class KeyReader {
       if (component) {
         if (value.list() == nullptr || value.list()->size() != 3) {
           if (*component == 0) {
-            reader_.error(value_place, fmt::format("'{}' cannot be {}", number.name, value.description()),
-                          "a list of three numbers [x, y, z]");
+            reader_.add_error(value_place, fmt::format("'{}' cannot be {}", number.name, value.description()),
+                              "a list of three numbers [x, y, z]");
           }
           continue;
         }

@@ -30,7 +30,7 @@ std::vector<std::string> outcome(const Document& document, const GrowthOptions& 
     return {"cancelled"};
   } catch (const InputError& error) {
     std::vector<std::string> messages;
-    for (const Diagnostic& error : error.diagnostics()) messages.push_back(error.message + "; " + error.expected);
+    for (const Diagnostic& found : error.diagnostics()) messages.push_back(found.message + "; " + found.expected);
     return messages;
   }
   return {"grown"};

@@ -228,7 +228,7 @@ class DocumentReader {
     const Value* given = root_->find("components");
     if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
       const bool is_missing = given == nullptr || given->object() != nullptr;
-      return reader.error(
+      return reader.add_error(
           given == nullptr ? top_ : path,
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
@@ -267,8 +267,8 @@ class DocumentReader {
     GivenNames given = prototype.type->gives(prototype.parameters.get());
     for (const std::string& name : given.names) {
       if (reader.constant_table().names().contains(name)) {
-        reader.error(path, fmt::format("'{}' is a column here and a variable of the document", name),
-                     "another name for one of them");
+        reader.add_error(path, fmt::format("'{}' is a column here and a variable of the document", name),
+                         "another name for one of them");
       }
       if (!columns_.contains(name)) {
         columns_.add(name);
@@ -291,18 +291,18 @@ class DocumentReader {
     }
     const Value* type = value.find("type");
     if (type == nullptr || type->text() == nullptr) {
-      reader.error(path,
-                   value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
-                                             : fmt::format("'{}' has no type", id),
-                   fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
+      reader.add_error(path,
+                       value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
+                                                 : fmt::format("'{}' has no type", id),
+                       fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
       return nullptr;
     }
     const ComponentType* found = registry_.find(*type->text());
     if (found == nullptr) {
       const std::vector<std::string> names = registry_.names();
       const std::string nearest = reader.nearest(*type->text(), names);
-      reader.error(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
-                   nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
+      reader.add_error(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
+                       nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
     return found;
   }
@@ -345,8 +345,8 @@ class DocumentReader {
     const Value* shown = position ? typed.values[*position] : nullptr;
     if (shown == nullptr) {
       const std::string nearest = reader.nearest(*of->text(), typed.ids.names());
-      reader.error(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
-                   nearest.empty() ? fmt::format("the id of a component of type {}", shows.type) : "", nearest);
+      reader.add_error(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
+                       nearest.empty() ? fmt::format("the id of a component of type {}", shows.type) : "", nearest);
       return value;
     }
     prototype.shown = *of->text();

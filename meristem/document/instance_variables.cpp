@@ -116,8 +116,8 @@ class InstanceVariableReader {
       for (const Prototype& prototype : graph_.components) id_list_.push_back(prototype.id);
     }
     const std::string nearest = reader_.nearest(id, id_list_);
-    reader_.error(path, fmt::format("there is no component '{}'", id), nearest.empty() ? "the id of a component" : "",
-                  nearest);
+    reader_.add_error(path, fmt::format("there is no component '{}'", id),
+                      nearest.empty() ? "the id of a component" : "", nearest);
   }
 
   /// Adds each variable after the variables that it uses. Works in rounds: each round adds, in the document's order,
@@ -174,9 +174,9 @@ class InstanceVariableReader {
     way.erase(way.begin(), std::ranges::find(way, at));
     std::string text;
     for (const std::size_t k : way) text += drafts_[k].name + " -> ";
-    reader_.error(DocumentPath(DocumentPath(path_, drafts_[at].name), "value"),
-                  fmt::format("the variables {}{} depend on each other in a circle", text, drafts_[at].name),
-                  "an expression without this circle");
+    reader_.add_error(DocumentPath(DocumentPath(path_, drafts_[at].name), "value"),
+                      fmt::format("the variables {}{} depend on each other in a circle", text, drafts_[at].name),
+                      "an expression without this circle");
   }
 
   const Value::Object& given_;

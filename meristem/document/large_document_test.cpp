@@ -112,8 +112,8 @@ TEST(LargeDocument, ComponentsWithoutTheirVariablesAreThoseThatAWalkFinds) {
       read_document(text_of(plan), "d.json", builtin_components());
       ++without;
     } catch (const InputError& error) {
-      for (const Diagnostic& error : error.diagnostics()) {
-        found.push_back(error.path + ": " + error.message.substr(0, error.message.find(',')));
+      for (const Diagnostic& diagnostic : error.diagnostics()) {
+        found.push_back(diagnostic.path + ": " + diagnostic.message.substr(0, diagnostic.message.find(',')));
       }
       ++with_errors;
     }

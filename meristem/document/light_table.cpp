@@ -38,8 +38,8 @@ void check_positions(const SunParameters& sun, const DocumentPath& path, Paramet
   const double days = sun.days.empty() ? 1 : static_cast<double>(season_days(sun).size());
   if (days * a_day <= kMaxPositions) return;
   const char* const name = sun.every_hours && a_day > days ? "every_hours" : "every_days";
-  reader.error(DocumentPath(path, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
-               fmt::format("at most {}: a longer '{}'", kMaxPositions, name));
+  reader.add_error(DocumentPath(path, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
+                   fmt::format("at most {}: a longer '{}'", kMaxPositions, name));
 }
 
 /// Returns the day of the year that a day or a date gives, or nothing.
@@ -53,15 +53,15 @@ bool has_days(const SunParameters& sun) { return sun.day || !sun.days.empty() ||
 
 void check_clock(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   if (!sun.date.empty() && !parse_date(sun.date)) {
-    reader.error(DocumentPath(path, "date"), fmt::format("'{}' is not a date", sun.date),
-                 "a day from 1900 to 2100, such as \"2026-06-21\"");
+    reader.add_error(DocumentPath(path, "date"), fmt::format("'{}' is not a date", sun.date),
+                     "a day from 1900 to 2100, such as \"2026-06-21\"");
   }
   if (!sun.time || (sun.longitude && sun.utc_offset)) return;
-  reader.error(DocumentPath(path, "time"),
-               fmt::format("clock time needs {}", sun.longitude    ? "a 'utc_offset'"
-                                                  : sun.utc_offset ? "a 'longitude'"
-                                                                   : "a 'longitude' and a 'utc_offset'"),
-               R"(such as {"date": "2026-06-21", "time": "15:30", "longitude": 13.4, "utc_offset": 2})");
+  reader.add_error(DocumentPath(path, "time"),
+                   fmt::format("clock time needs {}", sun.longitude    ? "a 'utc_offset'"
+                                                      : sun.utc_offset ? "a 'longitude'"
+                                                                       : "a 'longitude' and a 'utc_offset'"),
+                   R"(such as {"date": "2026-06-21", "time": "15:30", "longitude": 13.4, "utc_offset": 2})");
 }
 
 void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
@@ -69,13 +69,13 @@ void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterRead
   const bool by_place = sun.azimuth || sun.altitude;
   const bool by_day = has_days(sun);
   if (by_place == by_day) {
-    return reader.error(path,
-                        by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
-                        R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
+    return reader.add_error(path,
+                            by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
+                            R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {
-    return reader.error(path, "the sun has only one of 'azimuth' and 'altitude'",
-                        R"(both, as in {"azimuth": 180, "altitude": 61})");
+    return reader.add_error(path, "the sun has only one of 'azimuth' and 'altitude'",
+                            R"(both, as in {"azimuth": 180, "altitude": 61})");
   }
   if (sun.every_hours || !sun.days.empty()) check_positions(sun, path, reader);
 }
@@ -219,11 +219,11 @@ const ParameterTable& light_table() {
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader) {
   const std::optional<SunParameters>& sun = settings.sun;
   if (sun && has_days(*sun) && !settings.latitude) {
-    reader.error(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
+    reader.add_error(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
   }
   if (settings.lamps.size() > kMaxLamps) {
-    reader.error(DocumentPath(path, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
-                 fmt::format("at most {}", kMaxLamps));
+    reader.add_error(DocumentPath(path, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
+                     fmt::format("at most {}", kMaxLamps));
   }
 }
 

@@ -45,9 +45,9 @@ void check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] != box.high[k]) continue;
-    return reader.error(path,
-                        fmt::format("the box is flat: both of its corners have {} at {:.7g}", kAxes[k], box.low[k]),
-                        "two corners that differ in x, y and z");
+    return reader.add_error(path,
+                            fmt::format("the box is flat: both of its corners have {} at {:.7g}", kAxes[k], box.low[k]),
+                            "two corners that differ in x, y and z");
   }
 }
 
@@ -58,9 +58,9 @@ void check_body(const ObstacleParameters& form, const DocumentPath& path, Parame
       is_closed ? fmt::format("'{}' {}", form.mesh.path, form.mesh->body_error)
                 : fmt::format("'{}' is not closed: {}", form.mesh.path, fmt::join(form.mesh->errors, "; "));
   if (!form.broken) {
-    return reader.error(path, what,
-                        fmt::format("a closed mesh{}, or \"broken\": true to use it anyway",
-                                    is_closed ? " that faces outward everywhere" : ""));
+    return reader.add_error(path, what,
+                            fmt::format("a closed mesh{}, or \"broken\": true to use it anyway",
+                                        is_closed ? " that faces outward everywhere" : ""));
   }
   if (is_closed) return reader.warn(path, what + "; it is used as it is");
   reader.warn(path, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path,
@@ -76,8 +76,8 @@ void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, Pa
     farthest = std::max({farthest, away.x, away.y, away.z});
   }
   if (!(farthest <= kMaxCoordinate)) {
-    reader.error(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
-                 fmt::format("coordinates within {:.0f} m; scale and translate it", kMaxCoordinate));
+    reader.add_error(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
+                     fmt::format("coordinates within {:.0f} m; scale and translate it", kMaxCoordinate));
   }
 }
 

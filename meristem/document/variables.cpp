@@ -169,9 +169,9 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
   if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
   if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
   if (variable.min > variable.max) {
-    reader.error(DocumentPath(path, "min"),
-                 fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
-                 "a 'min' of at most 'max'");
+    reader.add_error(DocumentPath(path, "min"),
+                     fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
+                     "a 'min' of at most 'max'");
   }
   return variable;
 }
@@ -225,12 +225,12 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   const DocumentPath top;
   const DocumentPath path(top, "variables");
   if (given->object() == nullptr) {
-    reader.error(path, fmt::format("the variables are {}", given->description()), "an object of names");
+    reader.add_error(path, fmt::format("the variables are {}", given->description()), "an object of names");
     return variables;
   }
   if (are_too_many_variables(given)) {
-    reader.error(path, fmt::format("the document has {} variables", given->object()->size()),
-                 fmt::format("at most {}", kMaxVariables));
+    reader.add_error(path, fmt::format("the document has {} variables", given->object()->size()),
+                     fmt::format("at most {}", kMaxVariables));
     return variables;
   }
   for (const auto& [name, value] : *given->object()) {
@@ -240,11 +240,11 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   for (const std::vector<std::size_t>& circle : solved.circles) {
     const std::string& first = solved.constants[circle.front()].name;
     const DocumentPath variable(path, first);
-    reader.error(value_place(variable, *given->find(first)),
-                 circle.size() == 1 ? fmt::format("'{}' depends on itself", first)
-                                    : fmt::format("the variables {} depend on each other in a circle",
-                                                  circle_text(solved.constants, circle)),
-                 "an expression without this circle");
+    reader.add_error(value_place(variable, *given->find(first)),
+                     circle.size() == 1 ? fmt::format("'{}' depends on itself", first)
+                                        : fmt::format("the variables {} depend on each other in a circle",
+                                                      circle_text(solved.constants, circle)),
+                     "an expression without this circle");
   }
   return variables;
 }

@@ -49,8 +49,8 @@ std::string LinkReader::nearest_id(std::string_view id) {
 void LinkReader::read(const Value& links, const DocumentPath& path) {
   const Value::List* list = links.list();
   if (list == nullptr) {
-    return reader_.error(path, fmt::format("the links are {}", links.description()),
-                         R"(a list such as [["view", "tree"]])");
+    return reader_.add_error(path, fmt::format("the links are {}", links.description()),
+                             R"(a list such as [["view", "tree"]])");
   }
   for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], DocumentPath(path, k));
 }
@@ -61,13 +61,13 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   const std::size_t files_before = reader_.files().size();
   if (const Value::List* pair = value.list()) {
     if (pair->size() != 2) {
-      return reader_.error(path, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
+      return reader_.add_error(path, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
     }
     link.from = read_end((*pair)[0], DocumentPath(path, std::size_t{0}));
     link.to = read_end((*pair)[1], DocumentPath(path, std::size_t{1}));
   } else if (value.object() == nullptr) {
-    return reader_.error(path, fmt::format("a link cannot be {}", value.description()),
-                         R"(["from", "to"] or {"from": ..., "to": ..., "kind": ...})");
+    return reader_.add_error(path, fmt::format("a link cannot be {}", value.description()),
+                             R"(["from", "to"] or {"from": ..., "to": ..., "kind": ...})");
   } else {
     link.from = read_named_end(value, "from", path);
     link.to = read_named_end(value, "to", path);
@@ -106,19 +106,20 @@ void LinkReader::read_kind(const Value& value, const DocumentPath& path, Link& l
 
 ComponentIndex LinkReader::read_named_end(const Value& link, const char* name, const DocumentPath& path) {
   if (const Value* end = link.find(name)) return read_end(*end, DocumentPath(path, name));
-  reader_.error(path, fmt::format("the link has no '{}'", name), "the id of a component");
+  reader_.add_error(path, fmt::format("the link has no '{}'", name), "the id of a component");
   return kNoIndex;
 }
 
 ComponentIndex LinkReader::read_end(const Value& value, const DocumentPath& path) {
   if (value.text() == nullptr) {
-    reader_.error(path, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
+    reader_.add_error(path, fmt::format("the end of a link cannot be {}", value.description()),
+                      "the id of a component");
     return kNoIndex;
   }
   if (const ComponentIndex found = component(*value.text()); found != kNoIndex) return found;
   const std::string nearest = nearest_id(*value.text());
-  reader_.error(path, fmt::format("there is no component '{}'", *value.text()),
-                nearest.empty() ? "the id of a component" : "", nearest);
+  reader_.add_error(path, fmt::format("there is no component '{}'", *value.text()),
+                    nearest.empty() ? "the id of a component" : "", nearest);
   return kNoIndex;
 }
 
@@ -141,9 +142,9 @@ void LinkReader::link_placed(const DocumentPath& components) {
       }
       if (!placed[k].is_needed) continue;
       const std::string nearest = nearest_id(id);
-      reader_.error(DocumentPath(components, prototype.id),
-                    fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
-                    nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
+      reader_.add_error(DocumentPath(components, prototype.id),
+                        fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
+                        nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
     }
   }
 }
@@ -159,10 +160,10 @@ void LinkReader::check_crown(const DocumentPath& path, const Link& link) {
   if (from == nullptr) return;
   const auto& surface = from->type->surface;
   if (surface && surface(from->parameters.get()).crown) return;
-  reader_.error(DocumentPath(path, "kind"),
-                surface ? fmt::format("the surface of '{}' has no crown", from->id)
-                        : fmt::format("'{}' makes no stems that could have a crown", from->id),
-                R"("crown": {...} in the surface of a component with stems)");
+  reader_.add_error(DocumentPath(path, "kind"),
+                    surface ? fmt::format("the surface of '{}' has no crown", from->id)
+                            : fmt::format("'{}' makes no stems that could have a crown", from->id),
+                    R"("crown": {...} in the surface of a component with stems)");
 }
 
 /// Reports placement keys on a link that is no branch link, or whose parent has no stems.

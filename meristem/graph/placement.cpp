@@ -74,10 +74,10 @@ const ParameterTable& placement_table() {
 
 void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader) {
   if (placement.density && placement.count) {
-    reader.error(DocumentPath(path, "count"), "there is both a density and a count", "one of them");
+    reader.add_error(DocumentPath(path, "count"), "there is both a density and a count", "one of them");
   }
   if (placement.start > placement.end) {
-    reader.error(DocumentPath(path, "start"), "'start' lies beyond 'end'", "a 'start' of at most 'end'");
+    reader.add_error(DocumentPath(path, "start"), "'start' lies beyond 'end'", "a 'start' of at most 'end'");
   }
 }
 

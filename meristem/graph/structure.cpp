@@ -48,7 +48,7 @@ class Analysis {
 
   const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
 
-  void error(std::string path, std::string message, std::string expected) {
+  void add_error(std::string path, std::string message, std::string expected) {
     if (++errors_ > graph_.limits.diagnostics) return;
     diagnostics_.push_back({.message = std::move(message),
                             .expected = std::move(expected),
@@ -62,19 +62,19 @@ class Analysis {
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
       if (!graph_.components[c].type->is_camera) continue;
       if (structure_.root != kNoIndex) {
-        error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
-              "one camera per document");
+        add_error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
+                  "one camera per document");
       } else {
         structure_.root = c;
       }
     }
     if (structure_.root == kNoIndex)
-      error("components", "the graph has no camera", "one camera, the root of all links");
+      add_error("components", "the graph has no camera", "one camera, the root of all links");
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
-        error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
-              "the camera is the root of all links");
+        add_error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
+                  "the camera is the root of all links");
       }
     }
   }
@@ -114,13 +114,13 @@ class Analysis {
       }
     }
     if (links_back > kMaxRecursions) {
-      error("links", fmt::format("{} links lead back to an ancestor", links_back),
-            fmt::format("at most {} recursions", kMaxRecursions));
+      add_error("links", fmt::format("{} links lead back to an ancestor", links_back),
+                fmt::format("at most {} recursions", kMaxRecursions));
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
       if (state[c] == State::unseen) {
-        error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
-              fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
+        add_error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
+                  fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
       }
     }
   }
@@ -132,8 +132,8 @@ class Analysis {
     Structure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
-      error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
-            fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
+      add_error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
+                fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
     structure_.recursion_of_link[link] = static_cast<std::uint32_t>(structure_.recursions.size());
     structure_.recursions.push_back(std::move(recursion));
@@ -156,9 +156,9 @@ class Analysis {
     for (std::size_t a = 0; a < recursions.size(); ++a) {
       for (std::size_t b = 0; b < recursions.size(); ++b) {
         if (cross(recursions[a], members[a], recursions[b], members[b])) {
-          error("links",
-                fmt::format("the recursions {} and {} cross", cycle_text(recursions[a]), cycle_text(recursions[b])),
-                "recursions that lie apart or one within the other");
+          add_error("links",
+                    fmt::format("the recursions {} and {} cross", cycle_text(recursions[a]), cycle_text(recursions[b])),
+                    "recursions that lie apart or one within the other");
         }
       }
     }
@@ -172,9 +172,9 @@ class Analysis {
       }
       inner.level = outer_heads.size();
       if (inner.level >= kMaxRecursionLevels) {
-        error("components." + id(inner.head),
-              fmt::format("'{}' recurses within {} other recursions", id(inner.head), inner.level),
-              fmt::format("at most {} within one another", kMaxRecursionLevels));
+        add_error("components." + id(inner.head),
+                  fmt::format("'{}' recurses within {} other recursions", id(inner.head), inner.level),
+                  fmt::format("at most {} within one another", kMaxRecursionLevels));
       }
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {

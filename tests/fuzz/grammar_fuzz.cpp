@@ -91,8 +91,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     word_text(axiom_of(grammar), grammar.alphabet);
   } catch (const InputError& error) {
     require_errors_of(error, "fuzz");
-    for (const Diagnostic& error : error.diagnostics()) {
-      require(error.line > 0 && error.column > 0 && static_cast<std::size_t>(error.text_offset) <= size);
+    for (const Diagnostic& found : error.diagnostics()) {
+      require(found.line > 0 && found.column > 0 && static_cast<std::size_t>(found.text_offset) <= size);
     }
     return 0;
   }

@@ -38,13 +38,13 @@ std::optional<double> azimuth_of(const std::string& key) {
 
 bool check_profile(const std::vector<Vec2>& profile, const DocumentPath& path, ParameterReader& reader) {
   if (profile.size() < 2) {
-    reader.error(path, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
+    reader.add_error(path, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
     return false;
   }
   for (std::size_t k = 0; k < profile.size(); ++k) {
     if (k > 0 && !(profile[k - 1].y < profile[k].y)) {
-      reader.error(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
-                   fmt::format("a height above {:.7g}", profile[k - 1].y));
+      reader.add_error(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
+                       fmt::format("a height above {:.7g}", profile[k - 1].y));
       return false;
     }
   }
@@ -79,7 +79,7 @@ bool check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] < box.high[k]) continue;
-    reader.error(
+    reader.add_error(
         path, fmt::format("the box ends in {} at {:.7g}, where it begins at {:.7g}", kAxes[k], box.high[k], box.low[k]),
         "the lower corner first, and some size along each axis");
     return false;
@@ -92,34 +92,35 @@ void check_crown(const CrownParameters& crown, const DocumentPath& path, Paramet
   if (!check_profiles(crown, DocumentPath(path, "profiles"), reader)) return;
   if (crown.box && !check_box(*crown.box, DocumentPath(path, "box"), reader)) return;
   if (crown.half_space && crown.half_space->normal == Vec3(0)) {
-    return reader.error(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
-                        "a direction such as [0, 1, 0]");
+    return reader.add_error(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
+                            "a direction such as [0, 1, 0]");
   }
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
-    return reader.error(path, "the crown is empty: its list has no parts", "at least one profile or crown in its list");
+    return reader.add_error(path, "the crown is empty: its list has no parts",
+                            "at least one profile or crown in its list");
   }
   const auto is_zero = [](Vec2 point) { return point.x == 0; };
   if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
-    return reader.error(DocumentPath(path, "profile"), "the crown is empty: all its radii are 0",
-                        "a radius above 0 somewhere");
+    return reader.add_error(DocumentPath(path, "profile"), "the crown is empty: all its radii are 0",
+                            "a radius above 0 somewhere");
   }
   if (!is_fillable(*built)) {
-    reader.error(path, "the crown is empty, or nearly",
-                 "a crown that fills at least a thousandth of the box around it");
+    reader.add_error(path, "the crown is empty, or nearly",
+                     "a crown that fills at least a thousandth of the box around it");
   }
 }
 
 void check_points(const PointsParameters& points, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath shares(path, "shares");
   if (points.shares.size() > kMaxShares) {
-    return reader.error(shares, fmt::format("{} shares are too many", points.shares.size()),
-                        fmt::format("at most {}", kMaxShares));
+    return reader.add_error(shares, fmt::format("{} shares are too many", points.shares.size()),
+                            fmt::format("at most {}", kMaxShares));
   }
   double sum = 0;
   for (const ShareParameters& share : points.shares) sum += share.share;
   if (sum > 1 + 1e-9) {
-    reader.error(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
+    reader.add_error(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
   }
 }
 
@@ -273,8 +274,8 @@ void check_shares(const CrownParameters& crown, const PointsParameters& points, 
   for (std::size_t k = 0; k < points.shares.size(); ++k) {
     const ShareParameters& share = points.shares[k];
     if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
-    return reader.error(DocumentPath(shares, k), "the share's part of the crown is empty, or nearly",
-                        "a smaller 'above' or a larger 'outer'");
+    return reader.add_error(DocumentPath(shares, k), "the share's part of the crown is empty, or nearly",
+                            "a smaller 'above' or a larger 'outer'");
   }
 }
 
@@ -343,12 +344,12 @@ const ParameterTable& points_table() {
 void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
                  std::string_view component, const DocumentPath& path, ParameterReader& reader) {
   if (!crown && !points.file) {
-    reader.error(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
+    reader.add_error(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
   }
   const CrownPointer built = crown ? build_crown(*crown) : nullptr;
   if (built != nullptr && !points.file && is_endless(*built)) {
-    reader.error(DocumentPath(path, "crown"), "the crown has no end, so its points cannot be spread over it",
-                 "an 'intersection' of the half space with another crown");
+    reader.add_error(DocumentPath(path, "crown"), "the crown has no end, so its points cannot be spread over it",
+                     "an 'intersection' of the half space with another crown");
   } else if (crown) {
     check_shares(*crown, points, path, reader);
   }

@@ -49,7 +49,7 @@ const ParameterTable& turn_table() {
                   "Bend of the leaf beyond the turn; raised, the leaf bends down, away from the stem.")
           .check([](const LocalTurn& turn, const DocumentPath& path, ParameterReader& reader) {
             if (turn.to < turn.from)
-              reader.error(DocumentPath(path, "to"), "the turn ends before it begins", "'from' or more");
+              reader.add_error(DocumentPath(path, "to"), "the turn ends before it begins", "'from' or more");
           });
   return table;
 }
@@ -159,25 +159,25 @@ const ParameterTable& blade_table() {
 
 void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   if (grass.blade.across % 2 != 0) {
-    reader.error(DocumentPath(path, "across"), "'across' is odd",
-                 "an even number, so that a row of points is the midrib");
+    reader.add_error(DocumentPath(path, "across"), "'across' is odd",
+                     "an even number, so that a row of points is the midrib");
   }
   for (const Vec2 point : grass.source.profile.points()) {
     if (point.y >= 0) continue;
-    reader.error(DocumentPath(path, "profile"), fmt::format("the profile falls to {}", point.y),
-                 "shares of the width from 0");
+    reader.add_error(DocumentPath(path, "profile"), fmt::format("the profile falls to {}", point.y),
+                     "shares of the width from 0");
     return;
   }
   const auto& profile = grass.source.profile.points();
   if (std::ranges::none_of(profile, [](Vec2 point) { return point.y > 0; })) {
-    reader.error(DocumentPath(path, "profile"), "the profile is empty", "a share of the width above 0 somewhere");
+    reader.add_error(DocumentPath(path, "profile"), "the profile is empty", "a share of the width above 0 somewhere");
     return;
   }
   const auto check_points = [&](const std::vector<Vec2>& points, const DocumentPath& at) {
     try {
       check_midrib(curve_of(points));
     } catch (const InputError& error) {
-      for (const Diagnostic& found : error.diagnostics()) reader.error(at, found.message, found.expected);
+      for (const Diagnostic& found : error.diagnostics()) reader.add_error(at, found.message, found.expected);
     }
   };
   if (!grass.source.midrib_points.empty())
@@ -189,8 +189,8 @@ void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, Parameter
   }
   for (std::size_t k = 1; k < grass.source.midribs.size(); ++k) {
     if (grass.source.midribs[k].age > grass.source.midribs[k - 1].age) continue;
-    reader.error(DocumentPath(DocumentPath(path, "midribs"), k), "the ages of the midribs do not rise",
-                 "a later age than before");
+    reader.add_error(DocumentPath(DocumentPath(path, "midribs"), k), "the ages of the midribs do not rise",
+                     "a later age than before");
     return;
   }
 }
@@ -217,17 +217,18 @@ void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterRead
         reader.kept<GrassStock>(fingerprint_of(grass.source, how), [&] { return make_stock(grass.source, how); });
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics())
-      reader.error(DocumentPath(path, row), found.message, found.expected);
+      reader.add_error(DocumentPath(path, row), found.message, found.expected);
     return;
   } catch (const std::invalid_argument& error) {
-    reader.error(DocumentPath(path, row), error.what());
+    reader.add_error(DocumentPath(path, row), error.what());
     return;
   }
   warn_of_lost_waves(grass, path, reader);
   for (const StockedMidrib& midrib : grass.stock->midribs) {
     if (grass.full_age <= midrib.family.last_age()) continue;
-    reader.error(DocumentPath(path, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),
-                 "at most that age, or the blade never emerges fully");
+    reader.add_error(DocumentPath(path, "full_age"),
+                     fmt::format("the midribs end at the age {}", midrib.family.last_age()),
+                     "at most that age, or the blade never emerges fully");
     return;
   }
 }

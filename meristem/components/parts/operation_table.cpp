@@ -53,8 +53,8 @@ const ParameterTable& common_table() {
 
 void check_common(const OperationParameters& common, const DocumentPath& path, ParameterReader& reader) {
   if (common.to && *common.to < common.from) {
-    reader.error(DocumentPath(path, "to"), fmt::format("'to' {} lies before 'from' {}", *common.to, common.from),
-                 fmt::format("a whole number of at least {}", common.from));
+    reader.add_error(DocumentPath(path, "to"), fmt::format("'to' {} lies before 'from' {}", *common.to, common.from),
+                     fmt::format("a whole number of at least {}", common.from));
   }
 }
 
@@ -67,7 +67,7 @@ ShootChoice choice_of(const std::string& text, const std::vector<std::string>& n
   static const std::vector<std::string> words{"leader", "main"};
   const std::string nearest = is_identifier(text) && !is_known ? reader.nearest(text, words) : "";
   if (text.empty() || text.starts_with("main") || !nearest.empty()) {
-    reader.error(place, fmt::format("'{}' names no shoot", text), kShootForms, nearest);
+    reader.add_error(place, fmt::format("'{}' names no shoot", text), kShootForms, nearest);
   } else if (auto condition = reader.expression(text, place, names)) {
     return {ShootChoice::Kind::condition, text, std::move(*condition)};
   }
@@ -104,18 +104,18 @@ const ParameterTable& bud_table() {
 void check_cut(const CutParameters& cut, const DocumentPath& path, ParameterReader& reader) {
   check_common(cut, path, reader);
   if (cut.above == 0 && (cut.shoots == "main" || cut.shoots == "leader")) {
-    reader.error(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
+    reader.add_error(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
   }
   if (cut.above_lateral && cut.above_lateral->expression.is_constant()) {
     const double number = cut.above_lateral->expression.evaluate();
     if (!(number >= 1) || !std::isfinite(number)) {
-      reader.error(DocumentPath(path, "above_lateral"), fmt::format("no lateral shoot has the number {:.6g}", number),
-                   "a number of at least 1");
+      reader.add_error(DocumentPath(path, "above_lateral"),
+                       fmt::format("no lateral shoot has the number {:.6g}", number), "a number of at least 1");
     }
   }
   if (cut.to_bud && cut.to_bud->toward == Cut::Toward::direction && cut.to_bud->direction == Vec3(0)) {
     const DocumentPath bud(path, "to_bud");
-    reader.error(DocumentPath(bud, "direction"), "the direction has no length", "a direction such as [1, 0, 0]");
+    reader.add_error(DocumentPath(bud, "direction"), "the direction has no length", "a direction such as [1, 0, 0]");
   }
 }
 
@@ -228,8 +228,8 @@ void check_mark(const MarkParameters& mark, const DocumentPath& path, ParameterR
   check_common(mark, path, reader);
   const bool is_own = mark.state == "marked" || std::ranges::count(shoot_variables(), mark.state) == 0;
   if (is_identifier(mark.state) && !is_builtin_name(mark.state) && mark.state != "leader" && is_own) return;
-  reader.error(DocumentPath(path, "state"), fmt::format("'{}' cannot be the word for a state", mark.state),
-               "a word of letters, digits and _ that has no other meaning in conditions, such as dead");
+  reader.add_error(DocumentPath(path, "state"), fmt::format("'{}' cannot be the word for a state", mark.state),
+                   "a word of letters, digits and _ that has no other meaning in conditions, such as dead");
 }
 
 const ParameterTable& mark_table() {
@@ -289,7 +289,7 @@ const ParameterTable& bend_table() {
 void check_tie(const TieParameters& tie, const DocumentPath& path, ParameterReader& reader) {
   check_common(tie, path, reader);
   if (tie.shoots == "main" || tie.shoots == "leader") {
-    reader.error(DocumentPath(path, "shoots"), "a stem cannot be tied down", "branches, such as \"rank == 1\"");
+    reader.add_error(DocumentPath(path, "shoots"), "a stem cannot be tied down", "branches, such as \"rank == 1\"");
   }
 }
 
@@ -395,8 +395,8 @@ void prepare_operations(std::vector<AnyOperation>& operations, const std::vector
       const auto word = std::ranges::find(words, mark->state);
       mark->number = word != words.end() ? static_cast<std::uint32_t>(word - words.begin()) : kMaxMarks - 1;
       if (word != words.end() || mark->state == "marked") continue;
-      reader.error(DocumentPath(place, "state"), fmt::format("'{}' is one state too many", mark->state),
-                   fmt::format("at most {} different states", kMaxMarks - 1));
+      reader.add_error(DocumentPath(place, "state"), fmt::format("'{}' is one state too many", mark->state),
+                       fmt::format("at most {} different states", kMaxMarks - 1));
     }
     if (auto* tie = std::get_if<TieParameters>(&operations[k]); tie != nullptr && tie->anchor != "ground") {
       tie->anchor_shoots = choice_of(tie->anchor, names, DocumentPath(place, "anchor"), reader);

@@ -90,7 +90,7 @@ std::optional<Skeleton> read_skeleton(const SkeletonSource& plant, const Documen
     for (const Diagnostic& found : error.diagnostics()) {
       std::string where = plant.file.path;
       if (found.line > 0) where += ":" + std::to_string(found.line);
-      reader.error(DocumentPath(path, "file"), "'" + where + "': " + found.message, found.expected, found.nearest);
+      reader.add_error(DocumentPath(path, "file"), "'" + where + "': " + found.message, found.expected, found.nearest);
     }
   }
   return std::nullopt;

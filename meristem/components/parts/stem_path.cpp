@@ -256,15 +256,16 @@ StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropi
 void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader) {
   const DocumentPath axis(path, "axis");
   if (form.axis.size() > kMaxPoints) {
-    reader.error(axis, fmt::format("the axis has {} points", form.axis.size()), fmt::format("at most {}", kMaxPoints));
+    reader.add_error(axis, fmt::format("the axis has {} points", form.axis.size()),
+                     fmt::format("at most {}", kMaxPoints));
     return;
   }
   Vec3 last(0);
   for (std::size_t k = 0; k < form.axis.size(); ++k) {
     if (glm::distance(form.axis[k], last) < 1e-6F) {
-      reader.error(DocumentPath(axis, k),
-                   k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
-                   "points that lie apart");
+      reader.add_error(DocumentPath(axis, k),
+                       k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
+                       "points that lie apart");
       return;
     }
     last = form.axis[k];

@@ -239,7 +239,8 @@ void prepare_training(Training& training, double length, const DocumentPath& pat
   ReadOperations read;
   ParameterReader own({}, reader.limits());
   own.read(read_table(), &read, Value(Value::Object{{"operations", training_operations(training, length)}}), path);
-  for (const Diagnostic& found : own.diagnostics()) reader.error(path, found.message, found.expected, found.nearest);
+  for (const Diagnostic& found : own.diagnostics())
+    reader.add_error(path, found.message, found.expected, found.nearest);
   prepare_operations(read.operations, {}, path, reader);
   training.operations = std::move(read.operations);
 }

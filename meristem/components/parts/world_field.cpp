@@ -87,8 +87,8 @@ void check_field(const WorldField& field, const DocumentPath& path, ParameterRea
     const DocumentPath at(path, "formula");
     const auto check_formula = [&](const std::optional<Formula>& formula, const char* name) {
       if (!formula || !formula->expression.is_random()) return;
-      reader.error(DocumentPath(at, name), "a field is the same whenever it is asked, and draws nothing",
-                   "noise(x, y, z) in place of random functions");
+      reader.add_error(DocumentPath(at, name), "a field is the same whenever it is asked, and draws nothing",
+                       "noise(x, y, z) in place of random functions");
     };
     check_formula(field.formula->x, "x");
     check_formula(field.formula->y, "y");
@@ -96,7 +96,7 @@ void check_field(const WorldField& field, const DocumentPath& path, ParameterRea
   }
   const auto check_direction = [&](const std::optional<Vec3>& vector, const DocumentPath& at) {
     if (vector && vanishes(*vector))
-      reader.error(at, "the direction has no length", "a direction other than [0, 0, 0]");
+      reader.add_error(at, "the direction has no length", "a direction other than [0, 0, 0]");
   };
   check_direction(field.uniform, DocumentPath(path, "uniform"));
   if (field.cylinder) {

@@ -43,14 +43,14 @@ ParameterTable table_of_kinds(const Kinds& kinds) {
 std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
                                      const DocumentPath& path, ParameterReader& reader) {
   if (value.object() == nullptr) {
-    reader.error(path, fmt::format("{} cannot be {}", kinds.element, value.description()),
-                 fmt::format("an object with {}", fmt::join(all.names(), ", ")));
+    reader.add_error(path, fmt::format("{} cannot be {}", kinds.element, value.description()),
+                     fmt::format("an object with {}", fmt::join(all.names(), ", ")));
     return std::nullopt;
   }
   const Parameter& says = all.parameters.front();
   const Value* const given = value.find(kinds.key);
   if (given == nullptr) {
-    reader.error(path, fmt::format("{} has no '{}'", kinds.element, kinds.key), says.expectation());
+    reader.add_error(path, fmt::format("{} has no '{}'", kinds.element, kinds.key), says.expectation());
     return std::nullopt;
   }
   return reader.choice(says, *given, DocumentPath(path, kinds.key));

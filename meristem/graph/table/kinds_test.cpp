@@ -26,7 +26,7 @@ struct Garden {
 const Kinds& work_kinds();
 
 void check_snip(const Snip& snip, const DocumentPath& path, ParameterReader& reader) {
-  if (snip.length > snip.at) reader.error(DocumentPath(path, "length"), "longer than it has grown");
+  if (snip.length > snip.at) reader.add_error(DocumentPath(path, "length"), "longer than it has grown");
 }
 template <class Kind>
 void note_place(Kind& kind, const DocumentPath& path, ParameterReader&) {

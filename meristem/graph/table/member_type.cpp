@@ -54,8 +54,8 @@ struct PairRows {
 bool read_pair(const PairRows& rows, const Value& value, const DocumentPath& path, ParameterReader& reader, Vec2& out) {
   const Value::List* pair = value.list();
   if (pair == nullptr || pair->size() != 2) {
-    reader.error(path, fmt::format("a point of '{}' cannot be {}", rows.first.name, value.description()),
-                 "a pair of numbers such as [0.5, 2]");
+    reader.add_error(path, fmt::format("a point of '{}' cannot be {}", rows.first.name, value.description()),
+                     "a pair of numbers such as [0.5, 2]");
     return false;
   }
   const auto x = reader.number(rows.first, (*pair)[0], DocumentPath(path, std::size_t{0}));
@@ -69,8 +69,8 @@ bool read_pairs(const PairRows& rows, const Value& value, const DocumentPath& pa
                 std::vector<Vec2>& out) {
   const Value::List* list = value.list();
   if (list == nullptr || list->empty()) {
-    reader.error(path, fmt::format("'{}' cannot be {}", rows.first.name, value.description()),
-                 "a list of pairs such as [[0, 1], [0.5, 2]]");
+    reader.add_error(path, fmt::format("'{}' cannot be {}", rows.first.name, value.description()),
+                     "a list of pairs such as [[0, 1], [0.5, 2]]");
     return false;
   }
   bool good = true;
@@ -104,7 +104,7 @@ void read_colour(const Parameter& self, const Value& value, const DocumentPath& 
   if (text == nullptr) return;
   bool good = text->size() == 7 && (*text)[0] == '#';
   for (std::size_t k = 1; good && k < 7; ++k) good = hexadecimal((*text)[k]) >= 0;
-  if (!good) return reader.error(path, fmt::format("'{}' is not a colour", *text), self.expectation());
+  if (!good) return reader.add_error(path, fmt::format("'{}' is not a colour", *text), self.expectation());
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(1 + 2 * k);
     out[k] = static_cast<float>(16 * hexadecimal((*text)[at]) + hexadecimal((*text)[at + 1])) / 255.0F;
@@ -189,21 +189,21 @@ void read_value(const Parameter& self, Curve& curve, const Value& value, const D
       good = chosen.has_value() && good;
       kind = static_cast<CurveKind>(chosen.value_or(0));
     } else {
-      reader.error(member_place, fmt::format("'{}' does not belong to a curve", name), "curve and kind",
-                   reader.nearest(name, names));
+      reader.add_error(member_place, fmt::format("'{}' does not belong to a curve", name), "curve and kind",
+                       reader.nearest(name, names));
       good = false;
     }
   }
   if (!good) return;
-  if (points.empty()) return reader.error(path, "the curve has no points", self.expectation());
+  if (points.empty()) return reader.add_error(path, "the curve has no points", self.expectation());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool outside = points[k].x < 0 || points[k].x > 1;
     if (outside || (k > 0 && !(points[k - 1].x < points[k].x))) {
       const DocumentPath curve_place(path, "curve");
-      reader.error(DocumentPath(curve_place, k),
-                   outside ? fmt::format("x = {:.7g} of the curve's point {} is out of range", points[k].x, k)
-                           : fmt::format("x = {:.7g} of the curve's point {} does not rise", points[k].x, k),
-                   "x from 0 to 1, strictly rising");
+      reader.add_error(DocumentPath(curve_place, k),
+                       outside ? fmt::format("x = {:.7g} of the curve's point {} is out of range", points[k].x, k)
+                               : fmt::format("x = {:.7g} of the curve's point {} does not rise", points[k].x, k),
+                       "x from 0 to 1, strictly rising");
       return;
     }
   }
@@ -289,8 +289,8 @@ void read_value(const Parameter& self, Facing& member, const Value& value, const
   if (const std::string* text = value.text()) {
     member.is_from_surface = *text == "surface";
     if (member.is_from_surface) return;
-    return reader.error(path, fmt::format("'{}' is not a value of '{}'", *text, self.name), self.expectation(),
-                        reader.nearest(*text, std::vector<std::string>{"surface"}));
+    return reader.add_error(path, fmt::format("'{}' is not a value of '{}'", *text, self.name), self.expectation(),
+                            reader.nearest(*text, std::vector<std::string>{"surface"}));
   }
   Parameter numbers = self;
   numbers.kind = ParameterKind::vector;
@@ -300,7 +300,8 @@ void read_value(const Parameter& self, Facing& member, const Value& value, const
   if (reader.error_count() != errors_before) return;
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (!(largest > 0)) {
-    return reader.error(path, fmt::format("the direction '{}' has no length", self.name), "one number that is not 0");
+    return reader.add_error(path, fmt::format("the direction '{}' has no length", self.name),
+                            "one number that is not 0");
   }
   member.direction = Vec3(glm::normalize(direction / largest));
 }
@@ -341,8 +342,8 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
     }
     const Value::List* ends = entry.list();
     if (ends != nullptr && ends->size() != 2) {
-      reader.error(entry_place, fmt::format("an entry of '{}' is {}", self.name, entry.description()),
-                   self.expectation());
+      reader.add_error(entry_place, fmt::format("an entry of '{}' is {}", self.name, entry.description()),
+                       self.expectation());
       continue;
     }
     const auto low = ends == nullptr ? reader.number(number_row, entry, entry_place)
@@ -351,8 +352,8 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
         ends == nullptr ? low : reader.number(number_row, (*ends)[1], DocumentPath(entry_place, std::size_t{1}));
     if (!low || !high) continue;
     if (*low > *high) {
-      reader.error(entry_place, fmt::format("the range from {:.12g} to {:.12g} is in the wrong order", *low, *high),
-                   "the lower number first");
+      reader.add_error(entry_place, fmt::format("the range from {:.12g} to {:.12g} is in the wrong order", *low, *high),
+                       "the lower number first");
       continue;
     }
     selection.ranges.emplace_back(static_cast<std::uint32_t>(*low), static_cast<std::uint32_t>(*high));

@@ -80,8 +80,8 @@ std::string_view path_in_component(std::string_view file_path) {
 
 }  // namespace
 
-void ParameterReader::error(const DocumentPath& path, std::string message, std::string expected, std::string nearest,
-                            int text_offset) {
+void ParameterReader::add_error(const DocumentPath& path, std::string message, std::string expected,
+                                std::string nearest, int text_offset) {
   if (++errors_ > limits_.diagnostics) return;
   diagnostics_.push_back({.message = std::move(message),
                           .expected = std::move(expected),
@@ -93,7 +93,7 @@ void ParameterReader::error(const DocumentPath& path, std::string message, std::
 
 void ParameterReader::error_name(const DocumentPath& path, std::string message, std::string expected,
                                  std::string nearest) {
-  error(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
+  add_error(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
 }
 
 void ParameterReader::error_meaning(const DocumentPath& path, std::string message, std::string expected,
@@ -125,7 +125,7 @@ void ParameterReader::error_limit(const DocumentPath& path, std::string_view wha
 }
 
 void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path) {
-  error(path, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
+  add_error(path, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
 }
 
 GivenRows ParameterReader::read(const ParameterTable& table, void* object, const Value& value,
@@ -174,8 +174,8 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
       bare->read(object, value, path, *this);
       finish();
     } else {
-      error(path, fmt::format("{} cannot be {}", table.name, value.description()),
-            fmt::format("an object with {}", fmt::join(table.names(), ", ")));
+      add_error(path, fmt::format("{} cannot be {}", table.name, value.description()),
+                fmt::format("an object with {}", fmt::join(table.names(), ", ")));
     }
     return given;
   }
@@ -210,16 +210,17 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
 void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path) {
   for (const Parameter& row : table.parameters) {
     if (row.required && !given.contains(row.name)) {
-      error(path, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
+      add_error(path, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
     }
   }
   for (const std::vector<std::string>& group : table.one_of) {
     const auto count =
         std::count_if(group.begin(), group.end(), [&](const auto& name) { return given.contains(name); });
     if (count != 1) {
-      error(path,
-            fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
-            "exactly one of them");
+      add_error(
+          path,
+          fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
+          "exactly one of them");
     }
   }
   for (const ParameterTable::Company& rule : table.company) {
@@ -236,7 +237,8 @@ void ParameterReader::check_given(const ParameterTable& table, const GivenRows& 
 bool ParameterReader::check_range(const Parameter& parameter, double value, const DocumentPath& path,
                                   std::string_view what) {
   if (is_in_range(parameter.form, value)) return true;
-  error(path, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name), parameter.expectation());
+  add_error(path, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name),
+            parameter.expectation());
   return false;
 }
 
@@ -244,7 +246,7 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
                                                       std::span<const std::string> variables) {
   const std::string* text = value.text();
   if (text == nullptr) {
-    error(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
+    add_error(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
     return std::nullopt;
   }
   if (expression_paths_ != nullptr) expression_paths_->push_back(path.text());
@@ -263,10 +265,10 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
     names_compared_ += variables.size() + constants().size();
     const std::string_view name = name_at(*text, found.offset);
     if (const auto refused = refused_names_.find(name); refused != refused_names_.end()) {
-      error(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
+      add_error(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
       return std::nullopt;
     }
-    error(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
+    add_error(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
     return std::nullopt;
   }
 }
@@ -282,7 +284,8 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   check_stop();
   if (const double* plain = value.number()) {
     if (parameter.kind == ParameterKind::integer && !parameter.form.counts && *plain != std::floor(*plain)) {
-      error(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
+      add_error(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain),
+                parameter.expectation());
       return std::nullopt;
     }
     return check_range(parameter, *plain, path, "the value") ? std::optional(*plain) : std::nullopt;
@@ -294,7 +297,8 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   if (parameter.form.unit == Unit::hour && value.text()->find(':') != std::string::npos) {
     const std::optional<double> hours = parse_clock_hour(*value.text());
     if (!hours) {
-      error(path, fmt::format("'{}' is not a time", *value.text()), "hours and minutes such as \"15:30\", or a number");
+      add_error(path, fmt::format("'{}' is not a time", *value.text()),
+                "hours and minutes such as \"15:30\", or a number");
       return std::nullopt;
     }
     return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;
@@ -302,9 +306,9 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   const std::optional<Expression> compiled = expression(value, path, instance_names());
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
-    error(path,
-          fmt::format("'{}' {}, and this expression differs between instances", parameter.name, why_one(parameter)),
-          "an expression of numbers and the document's variables");
+    add_error(path,
+              fmt::format("'{}' {}, and this expression differs between instances", parameter.name, why_one(parameter)),
+              "an expression of numbers and the document's variables");
     return std::nullopt;
   }
   const double result = compiled->evaluate();
@@ -328,8 +332,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
     if (!has_form) {
       return wrong_kind(parameter, value, path);
     }
-    error(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
-          parameter.expectation());
+    add_error(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
+              parameter.expectation());
     return;
   }
   std::optional<Varying> read = varying(parameter, value, path, slot.present);
@@ -374,15 +378,16 @@ void ParameterReader::check_members(const Value& value, const DocumentPath& path
   const bool is_keyed = value.find("keys") != nullptr && keyed_.contains(path.text());
   for (const auto& [name, member] : *value.object()) {
     if (is_any_of(name, names) || (is_keyed && name == "keys")) continue;
-    error(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
-          name == "keys" ? "keys in the document's \"animation\"" : "range or sample, and apply", nearest(name, names));
+    add_error(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
+              name == "keys" ? "keys in the document's \"animation\"" : "range or sample, and apply",
+              nearest(name, names));
   }
   const bool has_sample = value.find("sample") != nullptr;
   if (has_sample && value.find("range") != nullptr) {
-    error(DocumentPath(path, "range"), "a value has both a sample and a range", "one of them");
+    add_error(DocumentPath(path, "range"), "a value has both a sample and a range", "one of them");
   }
   if (!has_sample && value.find("smooth") != nullptr) {
-    error(DocumentPath(path, "smooth"), "'smooth' has no meaning without a sample", "'sample' beside it");
+    add_error(DocumentPath(path, "smooth"), "'smooth' has no meaning without a sample", "'sample' beside it");
   }
 }
 
@@ -428,8 +433,8 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
   if (range != nullptr) {
     const Value::List* ends = range->list();
     if (ends == nullptr || ends->size() != 2) {
-      error(path, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
-            "a list of two numbers");
+      add_error(path, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
+                "a list of two numbers");
       return std::nullopt;
     }
     const DocumentPath named(path, "range");
@@ -469,13 +474,13 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, path);
   } catch (const MachineError& error) {
-    error(path, error.what());
+    add_error(path, error.what());
   }
 }
 
 std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::string& name, const DocumentPath& path) {
   if (access_.sources == nullptr) {
-    error(path, "no other documents can be read here", "a document that is read from a file");
+    add_error(path, "no other documents can be read here", "a document that is read from a file");
     return nullptr;
   }
   try {
@@ -491,7 +496,7 @@ std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::stri
       }
     }
   } catch (const MachineError& error) {
-    error(path, error.what());
+    add_error(path, error.what());
   }
   return nullptr;
 }
@@ -512,7 +517,7 @@ void ParameterReader::report(const DocumentPath& path, const Diagnostic& found, 
   if (found.severity == Severity::warning) {
     warn(path, found.message);
   } else {
-    error(path, found.message, found.expected, found.nearest, text_offset);
+    add_error(path, found.message, found.expected, found.nearest, text_offset);
   }
 }
 
@@ -621,8 +626,8 @@ std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, c
   if (given == nullptr) return std::nullopt;
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
   if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
-  error(path, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
-        nearest(*given, parameter.choices));
+  add_error(path, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
+            nearest(*given, parameter.choices));
   return std::nullopt;
 }
 

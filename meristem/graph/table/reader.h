@@ -77,8 +77,8 @@ class ParameterReader {
                                     const DocumentPath& path);
 
   /// Reports a fault of a value. `text_offset` is the byte within a text value, or -1 for the whole value.
-  void error(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
-             int text_offset = -1);
+  void add_error(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
+                 int text_offset = -1);
   /// Reports a fault at a member's name instead of its value.
   void error_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
   /// Reports a parameter that has no effect at its position, or no effect beside `other`.

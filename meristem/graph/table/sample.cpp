@@ -49,8 +49,8 @@ std::vector<double> values_of_file(const Parameter& row, const Value& said, cons
                       "file and column", reader.nearest(name, std::vector<std::string>{"file", "column"}));
   }
   if (file == nullptr || column == nullptr || column->text() == nullptr) {
-    reader.error(path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"),
-                 kForms);
+    reader.add_error(path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"),
+                     kForms);
     return {};
   }
   Parameter file_row;
@@ -74,7 +74,7 @@ std::vector<double> values_of_list(const Parameter& row, const Value::List& list
     if (value) values.push_back(*value);
   }
   if (list.empty()) {
-    reader.error(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
+    reader.add_error(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
   }
   return values;
 }
@@ -104,12 +104,12 @@ std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& obj
   } else if (said.object() != nullptr) {
     sample->values = values_of_file(row, said, place, reader);
   } else {
-    reader.error(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
+    reader.add_error(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
   }
   if (const Value* smooth = object.find("smooth")) {
     if (smooth->boolean() == nullptr) {
-      reader.error(DocumentPath(path, "smooth"), fmt::format("'smooth' cannot be {}", smooth->description()),
-                   "true or false");
+      reader.add_error(DocumentPath(path, "smooth"), fmt::format("'smooth' cannot be {}", smooth->description()),
+                       "true or false");
     } else {
       sample->is_smooth = *smooth->boolean();
     }

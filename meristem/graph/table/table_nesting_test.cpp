@@ -30,7 +30,7 @@ struct Rock {
 
 template <class T>
 void check_weight(const T& thing, const DocumentPath& path, ParameterReader& reader) {
-  if (thing.weight == 8.5) reader.error(path, "too heavy for such a test");
+  if (thing.weight == 8.5) reader.add_error(path, "too heavy for such a test");
 }
 
 std::string load(const std::string& file_path, const Limits& limits) {

@@ -355,7 +355,7 @@ std::vector<Diagnostic> pair_errors(const Value& value) {
           .one_of({"b", "c"})
           .elsewhere({"type"})
           .check([](const Pair& pair, const DocumentPath& path, ParameterReader& reader) {
-            if (pair.a > 5) reader.error(DocumentPath(path, "a"), "too large");
+            if (pair.a > 5) reader.add_error(DocumentPath(path, "a"), "too large");
           });
   Pair pair;
   ParameterReader reader({}, Limits{});
@@ -394,7 +394,7 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
           .number("a", &Sum::a, {.min = 0}, "A.")
           .number("b", &Sum::b, {}, "B.")
           .check([](const Sum& sum, const DocumentPath& path, ParameterReader& reader) {
-            if (sum.b < 0) reader.error(DocumentPath(path, "b"), "below 0");
+            if (sum.b < 0) reader.add_error(DocumentPath(path, "b"), "below 0");
           })
           .prepare([](Sum& sum, const DocumentPath&, ParameterReader&) { sum.sum = sum.a + sum.b; });
   const auto sum_of = [](const Value& value) {

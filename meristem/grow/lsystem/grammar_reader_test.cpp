@@ -358,12 +358,12 @@ RC_GTEST_PROP(GrammarReader, FindsFaultsInAnyTextOrReadsIt, ()) {
     RC_ASSERT(grammar.production.of_letter.size() == grammar.alphabet.size());
   } catch (const InputError& error) {
     RC_ASSERT(!error.diagnostics().empty());
-    for (const Diagnostic& error : error.diagnostics()) {
-      RC_ASSERT(error.line >= 1);
-      RC_ASSERT(error.column >= 1);
-      RC_ASSERT(error.text_offset >= 0);
-      RC_ASSERT(static_cast<std::size_t>(error.text_offset) <= text.size());
-      RC_ASSERT(!error.message.empty());
+    for (const Diagnostic& found : error.diagnostics()) {
+      RC_ASSERT(found.line >= 1);
+      RC_ASSERT(found.column >= 1);
+      RC_ASSERT(found.text_offset >= 0);
+      RC_ASSERT(static_cast<std::size_t>(found.text_offset) <= text.size());
+      RC_ASSERT(!found.message.empty());
     }
   }
 }

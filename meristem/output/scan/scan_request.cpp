@@ -38,12 +38,12 @@ ScannerClass class_in(const Value& request) {
 
 void check_instrument(const Instrument& instrument, const DocumentPath& path, ParameterReader& reader) {
   if (!(instrument.highest > instrument.lowest)) {
-    reader.error(DocumentPath(path, "highest"), "the sweeps would have no height",
-                 fmt::format("an angle above {:.6g}°", degrees(instrument.lowest)));
+    reader.add_error(DocumentPath(path, "highest"), "the sweeps would have no height",
+                     fmt::format("an angle above {:.6g}°", degrees(instrument.lowest)));
   }
   if (!(instrument.farthest > instrument.nearest)) {
-    reader.error(DocumentPath(path, "farthest"), "no distance would be within the range",
-                 fmt::format("metres above {:.6g}", instrument.nearest));
+    reader.add_error(DocumentPath(path, "farthest"), "no distance would be within the range",
+                     fmt::format("metres above {:.6g}", instrument.nearest));
   }
 }
 
@@ -136,12 +136,13 @@ const ParameterTable& scan_table() {
           .check([](const ScanPlan& plan, const DocumentPath& path, ParameterReader& reader) {
             const ScannerClass kind = plan.options.instrument.kind;
             if (kind == ScannerClass::drone && !plan.options.stations.empty()) {
-              reader.error(DocumentPath(path, "stations"), "a drone flies lines over the plants and has no stations",
-                           "the instrument's altitude, line_spacing and heading instead");
+              reader.add_error(DocumentPath(path, "stations"),
+                               "a drone flies lines over the plants and has no stations",
+                               "the instrument's altitude, line_spacing and heading instead");
             }
             if (kind != ScannerClass::depth_camera && plan.options.target) {
-              reader.error(DocumentPath(path, "target"), "only depth cameras look at a target",
-                           "an instrument of the kind depth_camera");
+              reader.add_error(DocumentPath(path, "target"), "only depth cameras look at a target",
+                               "an instrument of the kind depth_camera");
             }
           });
   return table;
@@ -156,8 +157,8 @@ ScanPlan plan_scan(const Value& request, std::uint64_t seed) {
   reader.read(scan_table(), &plan, request, DocumentPath());
   if (plan.options.instrument.kind == ScannerClass::drone && request.find("around") != nullptr) {
     const DocumentPath top;
-    reader.error(DocumentPath(top, "around"), "a drone flies lines over the plants and has no stations around them",
-                 "the instrument's altitude, line_spacing and heading instead");
+    reader.add_error(DocumentPath(top, "around"), "a drone flies lines over the plants and has no stations around them",
+                     "the instrument's altitude, line_spacing and heading instead");
   }
   if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   return plan;

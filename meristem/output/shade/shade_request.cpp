@@ -331,12 +331,12 @@ const ParameterTable& ground_table() {
           .check([](const GroundAreaParameters& ground, const DocumentPath& path, ParameterReader& reader) {
             const DocumentPath area(path, "area");
             if (ground.area.size() != 2) {
-              return reader.error(area, fmt::format("the area has {} corners", ground.area.size()),
-                                  "two opposite corners, such as [[-10, -10], [10, 10]]");
+              return reader.add_error(area, fmt::format("the area has {} corners", ground.area.size()),
+                                      "two opposite corners, such as [[-10, -10], [10, 10]]");
             }
             const Vec2 size = glm::abs(ground.area[1] - ground.area[0]);
             if (!(size.x > 0 && size.y > 0)) {
-              reader.error(area, "the area has no width", "two corners that differ in x and z");
+              reader.add_error(area, "the area has no width", "two corners that differ in x and z");
             }
           })
           .shorthand("area");

@@ -105,7 +105,7 @@ void input_error() {
                                 .line = 12,
                                 .column = 5});
   } catch (const InputError& error) {
-    for (const Diagnostic& error : error.diagnostics()) std::puts(error.text().c_str());
+    for (const Diagnostic& found : error.diagnostics()) std::puts(found.text().c_str());
     expect(error.diagnostics().size() == 1);
   }
 }

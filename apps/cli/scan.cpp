@@ -108,13 +108,13 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
   } catch (const InputError& error) {
     if (!file) throw;
     std::vector<Diagnostic> errors = error.diagnostics();
-    for (Diagnostic& error : errors) {
-      if (!error.path.starts_with(kInstrumentPath)) continue;
-      const std::string whole = error.path;
-      error.path = error.path.substr(kInstrumentPath.size());
+    for (Diagnostic& diagnostic : errors) {
+      if (!diagnostic.path.starts_with(kInstrumentPath)) continue;
+      const std::string whole = diagnostic.path;
+      diagnostic.path = diagnostic.path.substr(kInstrumentPath.size());
       locate_diagnostics(file->text, std::span(&error, 1));
-      if (error.line > 0) error.file = file->path;
-      error.path = whole;
+      if (diagnostic.line > 0) diagnostic.file = file->path;
+      diagnostic.path = whole;
     }
     throw InputError(std::move(errors));
   }

@@ -496,7 +496,7 @@ class PlanReader {
     std::vector<Diagnostic> errors = reader_.take_diagnostics();
     errors.insert(errors.end(), std::make_move_iterator(own_.begin()), std::make_move_iterator(own_.end()));
     locate_diagnostics(text_, errors);
-    for (Diagnostic& error : errors) error.file = file_;
+    for (Diagnostic& diagnostic : errors) diagnostic.file = file_;
     const bool is_faulty = !others_.empty() || std::any_of(errors.begin(), errors.end(), [](const Diagnostic& error) {
       return error.severity == Severity::error;
     });

@@ -401,7 +401,8 @@ class KeyReader {
     if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, errors);
     Value* const target = find_or_add_known(path, place, errors);
     if (target == nullptr) {
-      for (const Diagnostic& error : errors) reader_.error_name(place, error.message, error.expected, error.nearest);
+      for (const Diagnostic& diagnostic : errors)
+        reader_.error_name(place, diagnostic.message, diagnostic.expected, diagnostic.nearest);
       return;
     }
     if (!by_instance) {

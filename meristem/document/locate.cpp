@@ -295,7 +295,7 @@ Value parse_json_of(const std::string& text, const std::string& file) {
     return parse_json(text);
   } catch (const InputError& error) {
     std::vector<Diagnostic> errors = error.diagnostics();
-    for (Diagnostic& error : errors) error.file = file;
+    for (Diagnostic& diagnostic : errors) diagnostic.file = file;
     throw InputError(std::move(errors));
   }
 }

@@ -52,7 +52,7 @@ DocumentFile find_document_within(const std::string& path, const std::string& fo
     FileAccess{.root = root}.require_within(path);
   } catch (const InputError& error) {
     std::vector<Diagnostic> errors = error.diagnostics();
-    for (Diagnostic& error : errors) error.file = path;
+    for (Diagnostic& diagnostic : errors) diagnostic.file = path;
     throw InputError(std::move(errors));
   }
   const std::string file = find_document(path, folder);

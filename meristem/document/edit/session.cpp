@@ -79,7 +79,7 @@ Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
     patch = all.patch();
   } catch (const InputError& error) {
     std::vector<Diagnostic> errors = error.diagnostics();
-    for (Diagnostic& error : errors) error.file = file_;
+    for (Diagnostic& diagnostic : errors) diagnostic.file = file_;
     throw InputError(std::move(errors));
   }
   return edit_text(patch, progress);

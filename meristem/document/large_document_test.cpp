@@ -165,7 +165,7 @@ TEST(LargeDocument, FaultsAmongManyNamesProposeOnlySoManyNames) {
   } catch (const InputError& error) {
     const std::vector<Diagnostic>& errors = error.diagnostics();
     ASSERT_EQ(errors.size(), 100u);
-    const auto has_nearest = [](const Diagnostic& error) { return !error.nearest.empty(); };
+    const auto has_nearest = [](const Diagnostic& diagnostic) { return !diagnostic.nearest.empty(); };
     EXPECT_EQ(std::ranges::count_if(errors, has_nearest), 2'000'000 / kComponents);
     EXPECT_FALSE(errors.front().nearest.empty());
     EXPECT_EQ(errors.back().expected, "the id of a component");

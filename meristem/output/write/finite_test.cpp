@@ -73,14 +73,14 @@ void spoil_records(GrownDocument& grown) {
 std::string refusal(const Format& format, const GrownDocument& spoilt) {
   const TemporaryFolder folder;
   Progress progress;
-  std::string error = "no fault";
+  std::string refusal = "no error";
   try {
     format.write(document(), spoilt, (folder / ("oak" + std::string(format.ending))).string(), {}, progress);
   } catch (const InputError& error) {
-    error = error.what();
+    refusal = error.what();
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << format.ending << " has left a file: " << error;
-  return error;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << format.ending << " has left a file: " << refusal;
+  return refusal;
 }
 
 TEST(Finite, EveryFormatRefusesNumbersThatAreNotFinite) {

@@ -310,12 +310,12 @@ class PlanReader {
         const DocumentFile found = path_of(document.file);
         one.file = found.file;
         one.root = found.root;
-        if (std::error_code error; !fs::exists(one.file, error)) read_file(one.file, Limits().file_bytes);
+        if (std::error_code ignored; !fs::exists(one.file, ignored)) read_file(one.file, Limits().file_bytes);
         one.text = read_text_file(one.file);
       } catch (const InputError& error) {
-        const Diagnostic& error = error.diagnostics().front();
-        const fs::path nearest = fs::path(error.nearest).lexically_relative(fs::path(file_).parent_path());
-        reader_.add_error(own, error.message, error.expected, nearest.empty() ? error.nearest : nearest.string());
+        const Diagnostic& first = error.diagnostics().front();
+        const fs::path nearest = fs::path(first.nearest).lexically_relative(fs::path(file_).parent_path());
+        reader_.add_error(own, first.message, first.expected, nearest.empty() ? first.nearest : nearest.string());
         continue;
       } catch (const MachineError& error) {
         reader_.add_error(own, error.what(), "a document, or the name of a shipped model");

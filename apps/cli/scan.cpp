@@ -112,7 +112,7 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
       if (!diagnostic.path.starts_with(kInstrumentPath)) continue;
       const std::string whole = diagnostic.path;
       diagnostic.path = diagnostic.path.substr(kInstrumentPath.size());
-      locate_diagnostics(file->text, std::span(&error, 1));
+      locate_diagnostics(file->text, std::span(&diagnostic, 1));
       if (diagnostic.line > 0) diagnostic.file = file->path;
       diagnostic.path = whole;
     }

@@ -17,6 +17,7 @@ struct LightResponseParameters {
   double shift = 0;               ///< movement of the whole cloud in each step, in steps
   std::optional<double> shift_m;  ///< metres; replaces `shift`
   double drift = 0;               ///< movement of a point in the shade in each step, in steps
+  double field = 0;               ///< movement of a point along a field of strength 1 in each step, in steps
   LightResponse response;         ///< all other parameters of the response
 };
 

@@ -34,4 +34,8 @@ struct Organize : GrowingComponent {
 
 ComponentType organize_component();
 
+/// Returns true if `component` is a self-organizing tree whose `light.lean` is given but has no effect: the light of
+/// the scene comes from straight above, so shade falls straight down in any case.
+bool leans_in_vain(const Prototype& component, const Light& light);
+
 }  // namespace meristem

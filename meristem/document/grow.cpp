@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "meristem/base/large_memory.h"
+#include "meristem/components/organize.h"
 #include "meristem/document/obstacle_warnings.h"
 #include "meristem/document/placing_errors.h"
 #include "meristem/graph/batch.h"
@@ -105,6 +106,12 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
     return expand(document.graph, document.scene, options.time, progress, expansion);
   });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
+  for (const Prototype& component : document.graph.components) {
+    if (!leans_in_vain(component, document.scene.light)) continue;
+    grown.warnings.push_back({.severity = Severity::warning,
+                              .message = "'lean' has no effect: the light of the scene comes from straight above",
+                              .path = "components." + component.id + ".light.lean"});
+  }
   document.source.place(grown.warnings);
   if (options.keeps_plant || options.up_to < GrownPart::meshes) {
     complete_growth(document, grown, progress, options);

@@ -19,6 +19,7 @@ struct SunParameters {
   double every_days = 30;             ///< days between the positions of a season
   std::optional<double> every_hours;  ///< hours between positions over a day or a season; unset: a single hour, or the
                                       ///< default of seasons
+  double sample_hour = 12;            ///< one of the sampled hours
   double hour = 12;                   ///< hour of a day without every_hours; also the hour of pictures
   std::string date;                   ///< date instead of a day; may be empty
   std::optional<double> time;         ///< clock time, hours; instead of `hour`

@@ -124,7 +124,9 @@ struct AxisSites {
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
   if (context.everywhere) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
-  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"));
+  if (placement.where) {
+    return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"), context.scene);
+  }
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);

@@ -19,6 +19,7 @@
 #include "meristem/plant/skeleton.h"
 #include "meristem/scene/directions.h"
 #include "meristem/scene/obstacle/obstacles.h"
+#include "meristem/scene/scene.h"
 
 namespace meristem {
 
@@ -78,6 +79,7 @@ struct PlacementContext {
   RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;        ///< limits of the document; must not be null
   const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: no obstacles
+  const Scene* scene = nullptr;          ///< light for conditions on skeletons without light; null: it is 0 there
   double time = 0;                       ///< the document's time for expressions, seconds
   bool everywhere = false;               ///< true: all parts of the skeleton carry children, whatever the placement
                                          ///< selects

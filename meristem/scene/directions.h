@@ -38,7 +38,8 @@ class Sense {
   Pulling at(Vec3 position) const { return varies_ ? sum_at(position) : uniform_; }
   /// Returns the sum of the fields that were added to the scene's own, at a position; 0 without such fields.
   Vec3 given_at(Vec3 position) const { return given_ == nullptr ? Vec3(0) : given_->at(position); }
-  bool is_uniform() const { return !varies_; }  ///< true if the field is equal at all positions
+  bool has_given() const { return given_ != nullptr; }  ///< true if a field was added to the scene's own
+  bool is_uniform() const { return !varies_; }          ///< true if the field is equal at all positions
 
   /// Returns a copy with another field. If `adds` is false, the field replaces all others.
   Sense with(FieldPointer field, bool adds) const;

@@ -135,6 +135,8 @@ const ParameterTable& cut_table() {
                   "Body, relative to the root, outside which everything is cut off.")
           .boolean("leader", &CutParameters::leader,
                    "Whether another shoot takes the lead where the leader is cut; false makes an open tree.")
+          .number("stub", &CutParameters::stub, {.min = 0, .max = 1},
+                  "Length of the dead stub that the cut leaves above the bud, in metamers; 0 cuts just above the bud.")
           .one_of({"above", "above_lateral", "to_bud", "outside"})
           .elsewhere({operation_kinds().key})
           .check(check_cut)
@@ -325,6 +327,7 @@ struct OperationBuilder {
   Cut operator()(const CutParameters& form) const {
     Cut cut;
     cut.has_successor = form.leader;
+    cut.stub = form.stub;
     if (form.above) {
       cut.place = Cut::Place::above;
       cut.above = *form.above;

@@ -46,6 +46,7 @@ struct CutParameters : OperationParameters {
   std::optional<BudParameters> to_bud;
   std::optional<CrownParameters> outside;
   bool leader = true;
+  double stub = 0;
 };
 
 struct SpurParameters : OperationParameters {

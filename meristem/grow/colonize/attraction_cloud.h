@@ -25,9 +25,10 @@ struct Pull {
 
 /// The attraction parameters of a tree.
 struct Attraction {
-  double influence = 0;  ///< metres within which points pull its nodes; above 0, may be infinite
-  double kill = 0;       ///< metres within which its nodes use up points; above 0
-  LightResponse light;   ///< light response of the points that it brings
+  double influence = 0;     ///< metres within which points pull its nodes; above 0, may be infinite
+  double kill = 0;          ///< metres within which its nodes use up points; above 0
+  LightResponse light;      ///< light response of the points that it brings
+  Directions directions{};  ///< fields that may carry these points
 };
 
 /// The attraction points of all trees of a stand, which compete for them. A point belongs to the nearest node within

@@ -354,17 +354,24 @@ TEST(Colonize, AStraightStemGrowsToAFarCrown) {
   }
 }
 
-TEST(Colonize, ACrownOutOfReachIsAnErrorThatNamesIterations) {
-  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 16};
-  const Diagnostic error = only_diagnostic([&] { grow({{3, 4, 0}}, parameters); });
-  EXPECT_EQ(error.path, "components.tree.iterations");
-  EXPECT_EQ(error.message,
-            "the crown is out of reach: its nearest point is 5 m from the root, 16 steps of 0.25 m before it is within "
-            "the influence distance of 1 m");
-  EXPECT_EQ(error.expected, "more than 16 iterations, a longer step, or a crown nearer to the root");
-  ColonizeParameters enough = parameters;
-  enough.iterations = 17;
-  EXPECT_EQ(grow({{3, 4, 0}}, enough).node_count(), 18U);
+TEST(Colonize, IterationsThatEndInTheTrunkGiveThePlantOfThatStep) {
+  // The point pulls from step 17 on: it is 5 m from the root, and 16 steps of 0.25 m bring it within 1 m.
+  const Skeleton whole = grow({{3, 4, 0}}, {.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 40});
+  for (const int iterations : {0, 1, 7, 16, 17}) {
+    const Skeleton young = grow({{3, 4, 0}}, {.step = 0.25, .influence = 1, .kill = 0.5, .iterations = iterations});
+    ASSERT_EQ(young.node_count(), static_cast<std::size_t>(iterations) + 1);
+    for (NodeIndex node = 0; node < young.node_count(); ++node) {
+      EXPECT_EQ(young.position[node], whole.position[node]) << iterations;
+      EXPECT_EQ(young.birth[node], whole.birth[node]) << iterations;
+    }
+  }
+}
+
+TEST(Colonize, OnlyTheStemThatIsMadeCountsAsNodes) {
+  Limits limits;
+  limits.nodes = 10;
+  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 9};
+  EXPECT_EQ(grow({{3000, 4000, 0}}, parameters, Vec3(0), limits).node_count(), 10U);
 }
 
 TEST(Colonize, StemsThatStepOverTheirOnlyPointEnd) {

@@ -78,7 +78,7 @@ class Tree {
 
  private:
   static Attraction attraction(const ColonizeParameters& parameters) {
-    return {parameters.influence, parameters.kill, parameters.light};
+    return {parameters.influence, parameters.kill, parameters.light, parameters.directions};
   }
   bool start_approach();
   bool grow_toward_cloud();
@@ -119,15 +119,8 @@ bool Tree::start_approach() {
   const std::optional<Vec3> target = cloud_->nearest_point(member_);
   if (!target) return false;
   approach_ = plan_approach(*target, parameters.step, parameters.influence);
-  if (approach_.steps >= static_cast<std::uint64_t>(parameters.iterations)) {
-    species_->refuse(
-        "iterations",
-        fmt::format("the crown is out of reach: its nearest point is {:.4g} m from the root, {} steps of {:.4g} m "
-                    "before it is within the influence distance of {:.4g} m",
-                    approach_.distance, approach_.steps, parameters.step, parameters.influence),
-        fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps));
-  }
-  species_->require_nodes(approach_.steps, "step");
+  // Growth may end before the stem reaches the crown; the limit then applies to the nodes that will be made.
+  species_->require_nodes(std::min(approach_.steps, static_cast<std::uint64_t>(parameters.iterations)), "step");
   // One more step, in case rounding leaves the point just outside.
   approach_steps_left_ = approach_.steps + 1;
   return true;

@@ -20,6 +20,15 @@ MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteratio
   return made;
 }
 
+void StandingTree::leave_stub(MetamerIndex from, bool is_lateral, Vec3 tip, float lost) {
+  // A stub is as old as the wood that bears it, so it has no leaves.
+  const MetamerIndex made = grow(from, is_lateral, metamers_.birth[from], tip, metamers_.side[from]);
+  metamers_.terminal[made] = Bud::damaged();
+  metamers_.lateral[made] = Bud::dead();
+  metamers_.lost_tips[made] = lost;
+  metamers_.lost_tips[from] -= lost;
+}
+
 void StandingTree::move(Pose pose) {
   const std::vector<Vec3> before = std::exchange(metamers_.tip, std::move(pose.tip));
   metamers_.side = std::move(pose.side);

@@ -52,6 +52,9 @@ class StandingTree {
   void damage(MetamerIndex metamer, bool is_lateral) { close(metamer, is_lateral, Bud::damaged()); }
   /// Sets an open terminal or lateral bud to the state `closed`, damaged or dead.
   void close(MetamerIndex metamer, bool is_lateral, Bud closed);
+  /// Leaves a dead stub from the tip of `from` to `tip` where a shoot was cut off, and gives it the `lost` tips of that
+  /// shoot, so that it is as thick as the shoot was. Call it after clear_away().
+  void leave_stub(MetamerIndex from, bool is_lateral, Vec3 tip, float lost);
   /// Treats the present load as already borne: only changes of it will bend the branches.
   void settle();
   /// Ties a shoot to the line with this number; 0 unties it.

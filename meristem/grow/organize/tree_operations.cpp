@@ -83,6 +83,7 @@ void OrganizedTree::restore(State state) {
   tree_.restore(std::move(state.tree));
   flow_ = std::move(state.flow);
   upkeep_ = std::move(state.upkeep);
+  crop_ = std::move(state.crop);
   wood_ = std::move(state.wood);
   fallen_ = std::move(state.fallen);
   losses_ = std::move(state.losses);
@@ -123,7 +124,10 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
   }
   girth_.reset();
   // Clear away once for all operations, so that the cost depends on what is removed and not on the tree.
-  if (clear_away()) upkeep_.leads = find_leads(metamers_);
+  if (clear_away()) {
+    leave_stubs();
+    upkeep_.leads = find_leads(metamers_);
+  }
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
 
@@ -205,7 +209,12 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   for (const MetamerIndex metamer : gone) {
     if (metamers_.is_loose(metamer)) continue;
     if (!plan_cuts_.empty()) note_planned(metamer, species_->parameters.operations[operation].number);
+    const MetamerIndex from = metamers_.parent[metamer];
+    const float lost = metamers_.lost_tips[from];
+    const Vec3 tip = glm::mix(metamers_.tip[from], metamers_.tip[metamer], static_cast<float>(work.stub));
+    const bool is_lateral = metamers_.begins_shoot(metamer);
     cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
+    if (work.stub > 0 && from != 0) stubs_.push_back({from, is_lateral, tip, metamers_.lost_tips[from] - lost});
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

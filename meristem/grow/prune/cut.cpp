@@ -166,6 +166,7 @@ class Cutter {
 Work cut(const TreeState& tree, const Operation& operation, const Cut& what, const std::vector<Shoot>& shoots) {
   const Cutter cutter(tree, operation, what);
   Work work;
+  work.stub = what.stub;
   for (const Shoot& shoot : shoots) {
     for (const MetamerIndex metamer : cutter.cuts(shoot)) {
       work.gone.push_back(metamer);

@@ -85,6 +85,7 @@ struct Cut {
   int window = 0;                ///< metamers on both sides of the youngest section's middle to choose from
   CrownPointer outside;          ///< relative to the root
   bool has_successor = true;     ///< false: no other shoot succeeds a cut shoot
+  double stub = 0;               ///< length of the dead stub that stays above the bud, in metamers, 0 to 1
 };
 
 /// Shortens shoots to a number of metamers and removes their branches.
@@ -92,7 +93,7 @@ struct Spur {
   int metamers = 2;  ///< metamers that stay
 };
 
-/// Limits the length of shoots.
+/// Limits the length of shoots, counted with the lateral shoot that continues a shoot after the cut.
 struct Limit {
   int metamers = 12;  ///< largest number of metamers
 };

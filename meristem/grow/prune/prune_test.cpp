@@ -283,6 +283,17 @@ TEST(Prune, ALimitHoldsOverSuccessions) {
   EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{7})), "");
 }
 
+TEST(Prune, ALimitShortensTheLateralThatTakesTheLead) {
+  // A stem of 8 with a lateral of 3 at the fifth metamer: cut to 5, the lateral would make it 8 again.
+  HandMade tree(8);
+  tree.branch(5, 3);
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{5})), "main:6 main.5:1");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{4})), "main:5");
+  // Without a living bud at the cut, the stem is cut above the next one, which may grow no longer either.
+  tree.metamers.lateral[6] = Bud::dead();
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{6})), "main:6 main.5:2");
+}
+
 TEST(Prune, LayersKeepTwoArmsAndALeader) {
   HandMade tree(8);
   for (const MetamerIndex at : {1U, 3U, 4U, 5U}) tree.branch(at, 2);

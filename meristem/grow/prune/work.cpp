@@ -27,7 +27,7 @@ Work find_work(const TreeState& tree, const Operation& operation) {
   const std::vector<Shoot> shoots = choose_shoots(tree, operation);
   if (const auto* what = std::get_if<Cut>(&operation.what)) return cut(tree, operation, *what, shoots);
   if (const auto* what = std::get_if<Spur>(&operation.what)) return spur(tree, *what, shoots);
-  if (const auto* what = std::get_if<Limit>(&operation.what)) return limit(*what, shoots);
+  if (const auto* what = std::get_if<Limit>(&operation.what)) return limit(tree, *what, shoots);
   if (const auto* what = std::get_if<Girdle>(&operation.what)) return girdle(operation, *what, shoots);
   if (const auto* what = std::get_if<Bend>(&operation.what)) return bend(tree, operation, *what, shoots);
   if (const auto* what = std::get_if<Tie>(&operation.what)) return tie(tree, operation, *what, shoots);

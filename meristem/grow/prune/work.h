@@ -39,6 +39,7 @@ struct Work {
   std::vector<MetamerIndex> gone;     ///< metamers that are removed with everything that they bear
   std::vector<Ring> rings;
   std::vector<Bow> bows;
+  double stub = 0;      ///< length of the stubs that stay of removed metamers, as a share of the metamer
   bool renews = false;  ///< true: lateral buds of removed shoots may grow again, like those at the base of a spur
 };
 
@@ -50,7 +51,7 @@ Work find_work(const TreeState& tree, const Operation& operation);
 
 Work cut(const TreeState& tree, const Operation& operation, const Cut& what, const std::vector<Shoot>& shoots);
 Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots);
-Work limit(const Limit& what, const std::vector<Shoot>& shoots);
+Work limit(const TreeState& tree, const Limit& what, const std::vector<Shoot>& shoots);
 Work girdle(const Operation& operation, const Girdle& what, const std::vector<Shoot>& shoots);
 Work bend(const TreeState& tree, const Operation& operation, const Bend& what, const std::vector<Shoot>& shoots);
 Work tie(const TreeState& tree, const Operation& operation, const Tie& what, const std::vector<Shoot>& shoots);

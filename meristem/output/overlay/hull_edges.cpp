@@ -6,6 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "meristem/measure/convex_hull.h"
+#include "meristem/measure/tree_form.h"
+#include "meristem/plant/split_trees.h"
 
 namespace meristem {
 
@@ -47,6 +54,48 @@ std::vector<HullEdge> hull_edges(const Mesh& hull) {
     kept.push_back({hull.positions[edges[k].ends[0]], hull.positions[edges[k].ends[1]]});
   }
   return kept;
+}
+
+namespace {
+
+/// Returns the hull of the stems of one individual, above the lowest node of all stems but the first.
+Mesh hull_of_stems(const std::vector<const Stem*>& stems, const Progress& progress) {
+  float low = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 1; k < stems.size(); ++k) {
+    for (const Vec3 position : stems[k]->skeleton.position) low = std::min(low, position.y);
+  }
+  std::vector<Vec3> points;
+  for (const Stem* const stem : stems) {
+    for (const Vec3 position : stem->skeleton.position) {
+      if (position.y >= low) points.push_back(position);
+    }
+  }
+  return convex_hull(points, &progress);
+}
+
+}  // namespace
+
+std::vector<Mesh> crown_hulls(const Plant& plant, const Progress& progress) {
+  std::vector<Mesh> hulls;
+  std::map<std::uint32_t, std::vector<const Stem*>> unforked;  // by individual
+  std::map<std::uint32_t, bool> forks;
+  for (const Stem& stem : plant.stems) {
+    unforked[stem.individual()].push_back(&stem);
+    for (const Skeleton& tree : split_trees(stem.skeleton)) {
+      progress.check();
+      Mesh hull = measure_form(tree, Children(tree), &progress).crown_hull;
+      if (hull.triangles.empty()) continue;
+      forks[stem.individual()] = true;
+      hulls.push_back(std::move(hull));
+    }
+  }
+  for (const auto& [individual, stems] : unforked) {
+    if (stems.size() < 2 || forks[individual]) continue;
+    progress.check();
+    Mesh hull = hull_of_stems(stems, progress);
+    if (!hull.triangles.empty()) hulls.push_back(std::move(hull));
+  }
+  return hulls;
 }
 
 }  // namespace meristem

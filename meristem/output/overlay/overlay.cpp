@@ -16,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::array<OverlayPartInfo, 14> kParts = {{
+constexpr std::array<OverlayPartInfo, 15> kParts = {{
     {OverlayPart::points,
      "points",
      "Attraction points",
@@ -94,6 +94,12 @@ constexpr std::array<OverlayPartInfo, 14> kParts = {{
      &show_sun},
     {OverlayPart::compass, "compass", "Compass", "A compass rose on the ground.", {}, &show_compass},
     {OverlayPart::scale, "scale", "Scale", "A bar on the ground with its length.", {}, &show_scale},
+    {OverlayPart::axes,
+     "axes",
+     "Axes",
+     "The axes x, y and z of the scene from its origin, with a mark at each round length.",
+     {},
+     &show_axes},
 }};
 
 }  // namespace

@@ -36,6 +36,7 @@ enum class OverlayPart {
   sun,
   compass,
   scale,
+  axes,
 };
 
 struct OverlayLayer;

@@ -36,5 +36,6 @@ void show_box(const OverlaySubject& subject, OverlayLayer& layer);
 void show_sun(const OverlaySubject& subject, OverlayLayer& layer);
 void show_compass(const OverlaySubject& subject, OverlayLayer& layer);
 void show_scale(const OverlaySubject& subject, OverlayLayer& layer);
+void show_axes(const OverlaySubject& subject, OverlayLayer& layer);
 
 }  // namespace meristem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlays of the place: the sun over the plants, a compass rose and a scale bar. They depend on the scene and the box
-// around the plants.
+// Overlays of the place: the sun over the plants, a compass rose, a scale bar and the axes. They depend on the scene
+// and the box around the plants.
 #include <algorithm>
 #include <cmath>
 
@@ -107,6 +107,31 @@ void show_scale(const OverlaySubject& subject, OverlayLayer& layer) {
   layer.lines.push_back({from, from + tick, kBar});
   layer.lines.push_back({to, to + tick, kBar});
   layer.labels.push_back({middle + 1.5F * tick, length_text(static_cast<double>(length))});
+}
+
+/// Draws the axes from the origin over the extent of the plants, with ticks at multiples of a round length.
+void show_axes(const OverlaySubject& subject, OverlayLayer& layer) {
+  const Box box = subject.bounds;
+  if (box.is_empty()) return;
+  const Vec3 far = glm::max(glm::abs(box.low), glm::abs(box.high));
+  const float reach = 1.1F * std::max({far.x, far.y, far.z, 1e-3F});
+  const auto unit = static_cast<float>(round_length(0.34 * static_cast<double>(reach)));
+  const struct {
+    const char* name;
+    Vec3 way;
+    Vec3 across;
+    Vec3 colour;
+  } axes[] = {{"x", {1, 0, 0}, kUp, {0.78F, 0.15F, 0.12F}},
+              {"y", kUp, {1, 0, 0}, {0.15F, 0.55F, 0.18F}},
+              {"z", {0, 0, 1}, kUp, {0.15F, 0.3F, 0.78F}}};
+  for (const auto& [name, way, across, colour] : axes) {
+    layer.arrows.push_back({Vec3(0), reach * way, colour});
+    layer.labels.push_back({1.06F * reach * way, name});
+    for (float at = unit; at < 0.97F * reach; at += unit) {
+      layer.lines.push_back({at * way, at * way + 0.02F * reach * across, colour});
+    }
+    layer.legend.push_back({colour, fmt::format("{}, a mark each {}", name, length_text(static_cast<double>(unit)))});
+  }
 }
 
 }  // namespace meristem

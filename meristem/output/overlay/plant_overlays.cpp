@@ -10,10 +10,8 @@
 #include <fmt/format.h>
 
 #include "meristem/base/counted.h"
-#include "meristem/measure/tree_form.h"
 #include "meristem/output/overlay/hull_edges.h"
 #include "meristem/output/overlay/overlay_makers.h"
-#include "meristem/plant/split_trees.h"
 #include "meristem/shape/body_meshes.h"
 
 namespace meristem {
@@ -158,12 +156,8 @@ void show_resource(const OverlaySubject& subject, OverlayLayer& layer) {
 }
 
 void show_hull(const OverlaySubject& subject, OverlayLayer& layer) {
-  for (const Stem& stem : subject.plant.stems) {
-    for (const Skeleton& tree : split_trees(stem.skeleton)) {
-      subject.progress.check();
-      const Mesh hull = measure_form(tree, Children(tree), &subject.progress).crown_hull;
-      for (const HullEdge& edge : hull_edges(hull)) layer.lines.push_back({edge.from, edge.to, kHull});
-    }
+  for (const Mesh& hull : crown_hulls(subject.plant, subject.progress)) {
+    for (const HullEdge& edge : hull_edges(hull)) layer.lines.push_back({edge.from, edge.to, kHull});
   }
   if (!layer.lines.empty()) layer.legend.push_back({kHull, "hull of the crown"});
 }

@@ -7,9 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "meristem/measure/tree_form.h"
 #include "meristem/output/overlay/hull_edges.h"
-#include "meristem/plant/split_trees.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
@@ -18,11 +16,6 @@ namespace {
 
 constexpr float kThickness = 1.0F / 400;     // thickness of a wire, as a share of the hull's longest side
 constexpr Vec3 kColour{0.75F, 0.26F, 0.1F};  // sRGB
-
-void add_wires(const Skeleton& tree, const Progress& progress, std::vector<Frame>& wires) {
-  const std::vector<Frame> more = hull_wires(measure_form(tree, Children(tree), &progress).crown_hull);
-  wires.insert(wires.end(), more.begin(), more.end());
-}
 
 }  // namespace
 
@@ -47,8 +40,9 @@ std::vector<Frame> hull_wires(const Mesh& hull) {
 
 MeshScene with_crown_hulls(const MeshScene& meshes, const Plant& plant, const Progress& progress) {
   std::vector<Frame> wires;
-  for (const Stem& stem : plant.stems) {
-    for (const Skeleton& tree : split_trees(stem.skeleton)) add_wires(tree, progress, wires);
+  for (const Mesh& hull : crown_hulls(plant, progress)) {
+    const std::vector<Frame> more = hull_wires(hull);
+    wires.insert(wires.end(), more.begin(), more.end());
   }
   MeshScene scene = meshes;
   if (wires.empty()) return scene;

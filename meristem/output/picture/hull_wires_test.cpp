@@ -91,6 +91,26 @@ TEST(HullWires, SurroundEachTreeOfAPlant) {
   EXPECT_EQ(all.meshes[1].frames.size(), 36U);
 }
 
+TEST(HullWires, OfAPlantWhoseLimbsAreStemsOfTheirOwnAreDrawnAsWell) {
+  // A trunk of 3 m, and limbs to the corners of a box from 1 to 3 m.
+  const auto pole = [](Vec3 from, Vec3 to) {
+    Skeleton skeleton;
+    skeleton.add_node(kNoNode, from, 0);
+    skeleton.add_node(0, to, 1);
+    return skeleton;
+  };
+  std::vector<Skeleton> stems{pole(Vec3(0), Vec3(0, 3, 0))};
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float z : {-1.0F, 1.0F}) {
+      for (const float y : {1.0F, 3.0F}) stems.push_back(pole(Vec3(0, y, 0), Vec3(x, y, z)));
+    }
+  }
+  Progress progress;
+  const MeshScene all = with_crown_hulls(scene_of(triangle(), {Frame()}), plant_of(stems), progress);
+  ASSERT_EQ(all.meshes.size(), 2U);
+  EXPECT_EQ(all.meshes[1].frames.size(), 12U);
+}
+
 TEST(HullWires, OfTreesWithoutACrownAddNothing) {
   const Plant plant = plant_of({broom({0, 0, 0}, {}), broom({1, 0, 0}, {{1, 2, 0}})});
   Progress progress;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/graph/instances.h"
-
 #include <map>
 
 #include <gtest/gtest.h>
 
 #include "meristem/graph/expand.h"
+#include "meristem/graph/instances.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 
-namespace meristem::instances_test {
+namespace meristem::find_instance_test {
 
 Scene still_scene() {
   Scene scene;
@@ -28,30 +27,7 @@ Graph poles_with_sticks() {
   return graph.sound_graph();
 }
 
-TEST(Instances, TreeHasEachInstanceOnItsParent) {
-  const Graph graph = poles_with_sticks();
-  Progress progress;
-  const InstanceTree tree = instance_tree(graph, still_scene(), 0, 1'000'000, progress);
-  std::map<std::string, std::size_t> counts;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> siblings;
-  for (std::uint32_t k = 0; k < tree.instances.size(); ++k) {
-    const InstanceTree::Instance& instance = tree.instances[k];
-    ++counts[graph.components[instance.component].id];
-    if (k == 0) {
-      EXPECT_EQ(instance.parent, kNoIndex);
-      continue;
-    }
-    ASSERT_LT(instance.parent, k);
-    EXPECT_EQ(graph.links[instance.link].to, instance.component);
-    EXPECT_EQ(graph.links[instance.link].from, tree.instances[instance.parent].component);
-    EXPECT_EQ(instance.i, (siblings[{instance.parent, instance.link}]++));
-    EXPECT_LT(instance.i, instance.n);
-  }
-  EXPECT_EQ(counts["pole"], 300U);
-  EXPECT_GE(counts["leaf"], 300U * 6);
-}
-
-TEST(Instances, EachOrganAndStemHasItsInstance) {
+TEST(FindInstance, EachOrganAndStemHasItsInstance) {
   const Graph graph = poles_with_sticks();
   const Scene scene = still_scene();
   Progress progress;
@@ -89,17 +65,7 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   EXPECT_DOUBLE_EQ(pole->values[0].second, 1 + 271.0 / 300);
 }
 
-TEST(Instances, AreCountedWithoutThoseThatAreLeftOut) {
-  const Graph graph = poles_with_sticks();
-  const Scene scene = still_scene();
-  Progress progress;
-  Cache cache;
-  const Plant plant = expand(graph, scene, 0, progress, &cache);
-  const std::vector<std::uint64_t> counts = instance_counts(graph, scene, 0, progress, &cache);
-  EXPECT_EQ(counts, (std::vector<std::uint64_t>{1, 1, 300, organs_of(plant, "leaf").size()}));
-}
-
-TEST(Instances, AskingLeavesTheCacheAsItWas) {
+TEST(FindInstance, AskingLeavesTheCacheAsItWas) {
   const Graph graph = poles_with_sticks();
   const Scene scene = still_scene();
   Progress progress;
@@ -110,4 +76,49 @@ TEST(Instances, AskingLeavesTheCacheAsItWas) {
   EXPECT_EQ(cache.bytes(), bytes);
 }
 
-}  // namespace meristem::instances_test
+TEST(FindInstance, APlantAtItsLimitsCanBeSearched) {
+  // An instance that is expanded once more must not count twice.
+  GraphBuilder builder(test_components());
+  builder.component("view", "camera").component("star", "star", {{"number", 300}});
+  builder.component("pole", "pole", {{"nodes", 5}}).link("view", "star").link("star", "pole");
+  const Graph graph = builder.node_limit(300 * 5).instance_limit(302).sound_graph();
+  const Scene scene = still_scene();
+  Progress progress;
+  for (const std::uint64_t number : {0U, 17U, 299U}) {
+    const auto found = find_instance(graph, scene, 0,
+                                     {.component = "pole", .of = InstanceQuery::Of::stem, .number = number}, progress);
+    ASSERT_TRUE(found) << number;
+    EXPECT_EQ(found->site.i, number);
+  }
+}
+
+TEST(FindInstance, PartsAreNumberedOverAllBatchesOfTheComponent) {
+  GraphBuilder builder(test_components());
+  builder.component("view", "camera").component("star", "star", {{"number", 2}});
+  builder.component("twig", "stick", {{"recursion", 3}}).link("view", "star").link("star", "twig").link("twig", "twig");
+  const Graph graph = builder.sound_graph();
+  Progress progress;
+  for (const auto of : {InstanceQuery::Of::organ, InstanceQuery::Of::instance}) {
+    for (std::uint64_t number = 0; number < 6; ++number) {
+      const InstanceQuery query{.component = "twig", .of = of, .number = number};
+      const auto found = find_instance(graph, still_scene(), 0, query, progress);
+      ASSERT_TRUE(found) << number;
+      EXPECT_EQ(found->site.depth, number / 2);
+      EXPECT_EQ(found->site.frame.origin.x, static_cast<float>(number % 2));
+    }
+    EXPECT_FALSE(find_instance(graph, still_scene(), 0, {.component = "twig", .of = of, .number = 6}, progress));
+  }
+}
+
+TEST(FindInstance, AGrownStemHasTheInstanceThatPlantedIt) {
+  GraphBuilder builder(test_components());
+  builder.component("view", "camera").component("star", "star", {{"number", 5}}).component("sprout", "sprout");
+  const Graph graph = builder.link("view", "star").link("star", "sprout").sound_graph();
+  Progress progress;
+  const InstanceQuery query{.component = "sprout", .of = InstanceQuery::Of::stem, .number = 3};
+  const auto found = find_instance(graph, still_scene(), 0, query, progress);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->site.i, 3U);
+}
+
+}  // namespace meristem::find_instance_test

@@ -154,16 +154,20 @@ class SproutGrower final : public Grower {
   }
 
   int step_limit() const override { return kSproutSteps; }
-  bool step(Progress&) override { return ++steps_ < kSproutSteps; }
-  std::unique_ptr<GrowthTrace> take_trace() override {
-    return is_traced_ ? std::make_unique<SproutTrace>(place, height_ / sprouts_.number) : nullptr;
+  bool step(Progress&) override {
+    neighbours_ = sprouts_.number;
+    return ++steps_ < kSproutSteps;
   }
-  Skeleton take_skeleton(Progress&) override { return stem_of(place, height_after(steps_, height_ / sprouts_.number)); }
+  std::unique_ptr<GrowthTrace> take_trace() override {
+    return is_traced_ ? std::make_unique<SproutTrace>(place, height_ / neighbours_) : nullptr;
+  }
+  Skeleton take_skeleton(Progress&) override { return stem_of(place, height_after(steps_, height_ / neighbours_)); }
 
  private:
   double height_;
   bool is_traced_;
-  SproutCount& sprouts_;
+  SproutCount& sprouts_;  // exists only during the growth
+  int neighbours_ = 1;    // number of sprouts in the stand, itself included
   int steps_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace meristem {
 struct Grown {
   CacheKey key;                       ///< key of the growth; unset: nobody else needs the skeletons
   std::shared_ptr<GrownBatch> batch;  ///< one skeleton per instance
-  /// Growth that each instance shows; null if there is none. Empty if the component does not show the growth of others.
+  /// For each instance the growth that it shows, or null. Empty if the component does not show the growth of others.
   std::vector<std::shared_ptr<const GrowthTrace>> watched{};
 };
 

@@ -11,13 +11,13 @@
 
 namespace meristem::instance_tree_test {
 
-/// 300 poles on a star, with sticks along them.
-Graph poles_with_sticks() {
+/// 300 bushes, with one stick on bushes of an even index and two on the others. Some sticks are omitted.
+Graph bushes_with_sticks() {
   GraphBuilder builder(test_components());
-  builder.component("view", "camera").component("star", "star", {{"number", 300}});
-  builder.component("pole", "pole", {{"nodes", 5}}).component("leaf", "stick", {{"omit", Value::List{"i % 3 == 0"}}});
-  builder.link("view", "star").link("star", "pole").link("pole", "leaf", LinkKind::branch, {{"count", "1 + i % 2"}});
-  return builder.sound_graph();
+  builder.component("view", "camera").component("field", "star", {{"number", 300}});
+  builder.component("bush", "star", {{"number", "1 + i % 2"}});
+  builder.component("leaf", "stick", {{"omit", Value::List{"i == 1"}}});
+  return builder.link("view", "field").link("field", "bush").link("bush", "leaf").sound_graph();
 }
 
 InstanceTree tree_of(const Graph& graph, std::uint64_t max = 1'000'000) {
@@ -26,7 +26,7 @@ InstanceTree tree_of(const Graph& graph, std::uint64_t max = 1'000'000) {
 }
 
 TEST(InstanceTree, HasEachInstanceOnItsParent) {
-  const Graph graph = poles_with_sticks();
+  const Graph graph = bushes_with_sticks();
   const InstanceTree tree = tree_of(graph);
   std::map<std::string, std::size_t> counts;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> siblings;
@@ -44,13 +44,12 @@ TEST(InstanceTree, HasEachInstanceOnItsParent) {
     EXPECT_EQ(instance.i, (siblings[{instance.parent, instance.link}]++));
     EXPECT_LT(instance.i, instance.n);
   }
-  EXPECT_EQ(counts, (std::map<std::string, std::size_t>{{"view", 1}, {"star", 1}, {"pole", 300}, {"leaf", 450}}));
-  // A pole with an odd index bears two sticks, all others bear one.
+  EXPECT_EQ(counts, (std::map<std::string, std::size_t>{{"view", 1}, {"field", 1}, {"bush", 300}, {"leaf", 450}}));
   std::map<std::uint32_t, std::uint32_t> leaves;
   for (const InstanceTree::Instance& instance : tree.instances) {
     if (graph.components[instance.component].id == "leaf") ++leaves[instance.parent];
   }
-  for (const auto& [pole, count] : leaves) EXPECT_EQ(count, 1 + tree.instances[pole].i % 2) << pole;
+  for (const auto& [bush, count] : leaves) EXPECT_EQ(count, 1 + tree.instances[bush].i % 2) << bush;
 }
 
 TEST(InstanceTree, ChildrenOfGrownPlantsStandOnTheirOwnPlant) {
@@ -72,7 +71,7 @@ TEST(InstanceTree, ChildrenOfGrownPlantsStandOnTheirOwnPlant) {
 }
 
 TEST(InstanceTree, MoreInstancesThanRequestedAreRefused) {
-  const Graph graph = poles_with_sticks();
+  const Graph graph = bushes_with_sticks();
   EXPECT_EQ(tree_of(graph, 752).instances.size(), 752U);
   const std::vector<Diagnostic> errors = errors_of([&] { tree_of(graph, 751); });
   ASSERT_EQ(errors.size(), 1U);

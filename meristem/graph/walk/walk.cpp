@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instances of one component that the same link leads to are a batch, and expand together. The result of a batch
 // depends only on the component in the document, its sites, the scene and the time. A batch with the fingerprint of an
-// earlier one is therefore reused. The same holds for the sites of a link, which depend on the batch at its beginning,
-// and for a stand. Batches that grow wait until no other batch is left.
+// earlier one is therefore reused. The sites of a link depend on the parents' batch, and are reused in the same way.
+// Batches that grow wait until no other batch is left.
 #include "meristem/graph/walk/walk.h"
 
 #include <algorithm>

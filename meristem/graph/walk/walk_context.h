@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// What the parts of a walk share.
+/// The data that all parts of a walk share.
 struct WalkContext {
   const Graph& graph;
   const Scene& scene;

@@ -399,4 +399,35 @@ TEST(Expand, SlicesOfBatchesGiveThePlantThatWholeBatchesGive) {
   EXPECT_EQ(hash_of(sliced), hash_of(builder.grow(0, {}, &cache)));
 }
 
+TEST(Expand, RecordsTheGrowthThatTheViewRequests) {
+  auto builder = with_camera().component("star", "star", {{"number", 3}}).component("sprout", "sprout");
+  const Graph graph = builder.link("view", "star").link("star", "sprout").sound_graph();
+  const auto grow = [&](const GrowthView& view, GrowthTraces& traces) {
+    Progress progress;
+    return expand(graph, Scene(), 0, progress, ExpandOptions{.view = view, .traces = &traces});
+  };
+  GrowthTraces nothing;
+  const Plant whole = grow({}, nothing);
+  EXPECT_FALSE(nothing.has_growths());
+  GrowthView view;
+  view.step = 1;
+  view.request = TraceRequest::all();
+  GrowthTraces traces;
+  const Plant half = grow(view, traces);
+  ASSERT_EQ(traces.growths.size(), 3U);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(traces.growths[k].component, "sprout");
+    EXPECT_EQ(traces.growths[k].instance, k);
+    EXPECT_EQ(traces.growths[k].trace->place.origin.x, static_cast<float>(k));
+  }
+  EXPECT_EQ(traces.steps, (std::vector<ComponentSteps>{{"sprout", 2}}));
+  EXPECT_EQ(traces.shown_step(), 1);
+  EXPECT_EQ(traces.recorded, TraceRequest::all());
+  ASSERT_EQ(half.stems.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_FLOAT_EQ(whole.stems[k].skeleton.position[1].y, 1.0F / 3);
+    EXPECT_FLOAT_EQ(half.stems[k].skeleton.position[1].y, 0.5F / 3);
+  }
+}
+
 }  // namespace meristem::expand_test

@@ -13,6 +13,7 @@
 
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/emitter.h"
 #include "meristem/graph/forecast.h"
 #include "meristem/plant/plant_variant.h"
 

@@ -17,8 +17,9 @@
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/plant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/leaf/leaf_blade.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace {

@@ -37,7 +37,7 @@
 #include "meristem/measure/measures.h"
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
-#include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 
 namespace {
 

@@ -23,6 +23,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/scan/scan.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace {

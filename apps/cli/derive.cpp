@@ -16,8 +16,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/document/document.h"
 #include "meristem/document/json.h"
+#include "meristem/export/output_files.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
-#include "meristem/output/output_files.h"
 #include "terminal.h"
 
 namespace meristem::cli {

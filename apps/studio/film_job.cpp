@@ -11,8 +11,8 @@
 #include "apps/film/film.h"
 #include "apps/film/frames.h"
 #include "meristem/document/grow.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/output/picture/camera.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/write/picture_file.h"
 #include "refusal.h"
 

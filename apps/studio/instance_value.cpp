@@ -14,8 +14,8 @@
 
 #include "meristem/base/expression/expression.h"
 #include "meristem/components/expanded.h"
+#include "meristem/export/packet/short_values.h"
 #include "meristem/graph/instances.h"
-#include "meristem/output/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
 #include "shoot_places.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "meristem/document/document.h"
+#include "meristem/export/measure_report.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/measure_report.h"
 #include "written_values.h"
 
 namespace meristem::studio {

@@ -17,10 +17,10 @@
 #include "meristem/base/vec.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/graph/table/read_store.h"
 #include "meristem/graph/texture_parameters.h"
 #include "meristem/output/picture/camera.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/write/png.h"
 #include "written_values.h"
 

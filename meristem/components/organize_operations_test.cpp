@@ -9,6 +9,7 @@
 #include "meristem/components/organize_in_a_test.h"
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem::organize_operations_test {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "meristem/output/formats.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/scan/scan_request.h"
 #include "meristem/output/scan/scan_files.h"
-#include "meristem/output/scan/scan_request.h"
 
 namespace meristem {
 

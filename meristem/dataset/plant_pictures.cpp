@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "meristem/components/camera.h"
-#include "meristem/output/picture/picture.h"
-#include "meristem/output/picture/truth_files.h"
+#include "meristem/export/picture/picture.h"
+#include "meristem/export/picture/truth_files.h"
 #include "meristem/output/write/picture_file.h"
 
 namespace meristem {

@@ -17,8 +17,9 @@
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/cached_meshes.h"
-#include "meristem/shape/ray_meshes.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/assembly/ray_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 
 namespace meristem {
 

@@ -8,9 +8,9 @@
 #include "meristem/document/document.h"
 #include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/geometry_count.h"
-#include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/view_meshes.h"
+#include "meristem/shape/assembly/geometry_count.h"
+#include "meristem/shape/assembly/view_meshes.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -10,7 +10,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
 #include "meristem/graph/batch.h"
-#include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 

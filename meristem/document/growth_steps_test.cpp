@@ -10,6 +10,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/build_graph.h"
 
 namespace meristem::growth_steps_test {

@@ -11,6 +11,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/build_graph.h"
 
 namespace meristem::plan_test {

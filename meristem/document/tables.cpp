@@ -4,7 +4,7 @@
 #include "meristem/base/seed.h"
 #include "meristem/components/parts/check_line.h"
 #include "meristem/graph/table/table.h"
-#include "meristem/shape/detail.h"
+#include "meristem/shape/detail/detail.h"
 
 namespace meristem {
 

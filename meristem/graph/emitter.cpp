@@ -21,6 +21,7 @@
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/omission.h"
 #include "meristem/graph/vanished.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem::counts_test {

@@ -14,7 +14,7 @@
 #include "meristem/measure/masked_surfaces.h"
 #include "meristem/measure/stand_sum.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/body_meshes.h"
+#include "meristem/shape/stem/body_meshes.h"
 
 namespace meristem {
 namespace {

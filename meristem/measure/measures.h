@@ -17,8 +17,8 @@
 #include "meristem/measure/samples.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/geometry_count.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/geometry_count.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -13,6 +13,7 @@
 #include "meristem/base/random.h"
 #include "meristem/plant/pipe_radii.h"
 #include "meristem/plant/plant_variant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "tests/support/check_sentence.h"
 
 namespace meristem::measures_test {

@@ -18,7 +18,7 @@
 #include "meristem/measure/masked_surfaces.h"
 #include "meristem/measure/surface_points.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
 namespace meristem {

@@ -10,7 +10,7 @@
 #include "meristem/base/vec.h"
 #include "meristem/scene/light/sun.h"
 #include "meristem/scene/obstacle/obstacles.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -19,7 +19,7 @@
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/plant/segment_tree.h"
-#include "meristem/shape/body_meshes.h"
+#include "meristem/shape/stem/body_meshes.h"
 
 namespace meristem {
 

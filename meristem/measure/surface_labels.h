@@ -13,7 +13,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/measure/measures.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

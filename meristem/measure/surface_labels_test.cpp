@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/plant/plant_variant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 

@@ -18,6 +18,7 @@
 
 #include "meristem/base/deform/polar.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 

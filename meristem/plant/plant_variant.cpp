@@ -14,6 +14,7 @@
 #include "meristem/base/math.h"
 #include "meristem/base/random.h"
 #include "meristem/plant/deform_plant.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "meristem/base/vec.h"
-#include "meristem/plant/operation_record.h"
+#include "meristem/plant/operation_records.h"
 
 namespace meristem {
 
@@ -32,7 +32,7 @@ struct Skeleton {
   std::vector<std::uint16_t> order;  ///< branching order: 0 on the stem, one more at each lateral
   std::vector<float> birth;          ///< growth step at which the node appeared
   std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns, if known: light, resource, ...
-  std::vector<OperationRecord> operations;  ///< operations done to it as it grew, one tree after another
+  OperationRecords operations;  ///< operations done to it as it grew, one tree after another
 
   std::size_t node_count() const { return parent.size(); }                ///< number of nodes, roots included
   std::size_t axis_count() const;                                         ///< number of axes

@@ -16,9 +16,9 @@
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "meristem/document/plan.h"
+#include "meristem/export/moving_file.h"
+#include "meristem/export/output_files.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/output/moving_file.h"
-#include "meristem/output/output_files.h"
 #include "meristem/plant/plant_variant.h"
 #include "values.h"
 

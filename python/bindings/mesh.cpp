@@ -10,7 +10,7 @@
 #include "meristem/components/parts/surface_table.h"
 #include "meristem/graph/table/reader.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/tube/tubes.h"
 #include "values.h"
 

@@ -7,15 +7,15 @@
 #include "document.h"
 #include "errors.h"
 #include "meristem/components/camera.h"
+#include "meristem/export/detail_levels.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/output_files.h"
+#include "meristem/export/packet/scene_packet.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/measure/counts.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/detail_levels.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/output_files.h"
-#include "meristem/output/packet/scene_packet.h"
 #include "meristem/output/picture/cards.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/skeleton/skeleton_table.h"
@@ -584,15 +584,15 @@ The lit share uses `crown_rays` rays.)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file. The ending selects the format: .glb, .obj, .ply, .labels.ply, .skeleton.ply,
-.csv, .qsm.csv, .trees.txt, .mtg.
+.csv, .qsm.csv, .trees.txt, .operations.csv, .points.csv, .mtg.
 
 `instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles. Such files are
 small, but not every program reads them. `nodes` writes leaves as nodes, which every program reads. `lod` (0 to 8) is
 the level of detail. Each level has about a quarter of the triangles of the level before. `cards` (0 to 16) writes this
 number of upright crossed cards, pictures of the plant, instead. The file appears whole or not at all. Raises ValueError
 for levels that `meristem grow --lod` does not write: levels with hardly fewer triangles than the level before, levels
-that would lose the plant's outline, and all coarser levels. Raises InputError for unknown endings and for files that
-the document reads, and MachineError.)")
+that would lose the plant's outline, and all coarser levels. Raises InputError for unknown endings, for .points.csv of
+plants that grew without `trace=True`, and for files that the document reads. Raises MachineError.)")
       .def(
           "packet", &packet, py::kw_only(), py::arg("triangles") = 0, py::arg("threads") = 0,
           py::arg("progress") = py::none(),

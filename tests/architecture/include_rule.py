@@ -22,7 +22,7 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output",
+ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "output", "graph", "components", "document", "export",
          "dataset"]
 DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",

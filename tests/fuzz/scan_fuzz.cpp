@@ -7,7 +7,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/json.h"
-#include "meristem/output/scan/scan_request.h"
+#include "meristem/export/scan/scan_request.h"
 #include "tests/fuzz/require.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.

@@ -16,7 +16,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/edit/patch.h"
 #include "meristem/document/grow.h"
-#include "meristem/shape/scene_keys.h"
+#include "meristem/shape/scene/scene_keys.h"
 
 namespace meristem {
 

@@ -13,6 +13,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 

@@ -464,7 +464,7 @@ Skeleton OrganizedTree::skeleton_of(Metamers metamers, std::vector<OperationReco
       record.position += root_;
       record.bud_position += root_;
     }
-    skeleton.operations = std::move(records);
+    skeleton.operations = OperationRecords(std::move(records));
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);

@@ -26,6 +26,7 @@
 #include "meristem/grow/prune/leads.h"
 #include "meristem/grow/prune/work.h"
 #include "meristem/grow/stand_space.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 

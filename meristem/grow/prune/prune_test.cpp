@@ -17,6 +17,7 @@
 #include "meristem/grow/prune/support_line.h"
 #include "meristem/grow/prune/work.h"
 #include "meristem/grow/prune/work_recorder.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
 namespace meristem::prune_test {

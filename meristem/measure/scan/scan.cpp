@@ -27,7 +27,7 @@
 #include "meristem/base/random.h"
 #include "meristem/measure/scan/beam.h"
 #include "meristem/measure/scan/scan_pattern.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 

@@ -15,7 +15,7 @@
 #include "meristem/measure/scan/instrument.h"
 #include "meristem/measure/surface_labels.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -12,7 +12,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/scan/beam.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/ray_meshes.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/assembly/ray_meshes.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 

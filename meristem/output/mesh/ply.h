@@ -8,7 +8,7 @@
 #include "meristem/measure/surface_labels.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -10,7 +10,7 @@
 #include "meristem/base/math.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/obstacle_meshes.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 

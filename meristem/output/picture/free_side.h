@@ -4,7 +4,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/scene/obstacle/obstacles.h"
 #include "meristem/scene/view.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -8,7 +8,7 @@
 #include "meristem/output/write/png.h"
 #include "meristem/scene/scene.h"
 #include "meristem/scene/view.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -13,6 +13,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "tests/support/sample_plants.h"
 #include "tests/support/temporary_folder.h"
 

@@ -45,7 +45,7 @@ void append_operation_row(const OperationRecord& record, std::string& out) {
 std::vector<OperationRecord> operation_records(const Plant& plant) {
   std::vector<OperationRecord> records;
   for (const Stem& stem : plant.stems) {
-    const std::vector<OperationRecord>& own = stem.skeleton.operations;
+    const OperationRecords& own = stem.skeleton.operations;
     records.insert(records.end(), own.begin(), own.end());
   }
   return records;

@@ -6,6 +6,7 @@
 
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {

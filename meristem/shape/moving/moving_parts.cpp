@@ -12,9 +12,9 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/body_meshes.h"
-#include "meristem/shape/cached_meshes.h"
-#include "meristem/shape/scene_tally.h"
+#include "meristem/shape/stem/body_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
+#include "meristem/shape/stem/scene_tally.h"
 
 namespace meristem {
 

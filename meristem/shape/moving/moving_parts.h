@@ -19,8 +19,8 @@
 #include "meristem/shape/moving/moving_scene.h"
 #include "meristem/shape/moving/moving_tube.h"
 #include "meristem/shape/moving/nearest_keys.h"
-#include "meristem/shape/stem_looks.h"
-#include "meristem/shape/stem_tubes.h"
+#include "meristem/shape/stem/stem_looks.h"
+#include "meristem/shape/stem/stem_tubes.h"
 
 namespace meristem {
 

@@ -14,7 +14,8 @@
 #include "meristem/scene/light/light.h"
 #include "meristem/scene/obstacle/obstacles.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 using namespace meristem;

@@ -54,10 +54,26 @@ const keys = async (name) => (await said()).animation.keys[name];
 const time = () => page.evaluate(() => window.studio.bench.time.time);
 const height = () => page.evaluate(() => window.studio.view.plant.seen.length && new Promise((done) => window.studio.view.drawn().then(() => done(window.studio.view.fitting_distance))));
 
+/// Waits until the server has answered the last time, with the request for all detail.
+const all_time_is_sent = () =>
+  page.waitForFunction(() => {
+    const { time } = window.studio.bench;
+    return time.moves_until_ === 0 && !time.sender_.is_sending_;
+  });
+
+/// Shows another time, and waits until the plant of this time is shown at rest. The growth's `shown` is another object for
+/// each packet.
 async function scrub_to(seconds) {
+  await all_time_is_sent();
+  await settled(page);
+  if ((await time()) === seconds) return;
+  await page.evaluate(() => {
+    window.shown_before = window.studio.growth.get().shown;
+  });
   await type_into(page, page.getByRole('textbox', { name: 'Time', exact: true }), String(seconds));
   await page.waitForFunction((wanted) => window.studio.bench.time.time === wanted, seconds);
-  await page.waitForFunction(() => window.studio.bench.time.moves_until_ === 0); // all detail is asked for
+  await all_time_is_sent();
+  await page.waitForFunction(() => window.studio.growth.get().shown !== window.shown_before);
   await settled(page);
 }
 

@@ -25,7 +25,7 @@ class Roots {
 
   void run() {
     const auto roots = std::ranges::count(has_parent_, false);
-    graph_.links.reserve(graph_.links.size() + static_cast<std::size_t>(roots));
+    graph_.links.reserve(graph_.links.size() + static_cast<std::size_t>(roots));  // moves nothing after a LinkReader
     for (ComponentIndex c = 0; c < camera_; ++c) {
       if (!has_parent_[c]) link_to(c);
     }

@@ -60,6 +60,7 @@ class Analysis {
   void find_root() {
     structure_.root = kNoIndex;
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (!graph_.components[c].type->is_camera) continue;
       if (structure_.root != kNoIndex) {
         add_error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
@@ -71,6 +72,7 @@ class Analysis {
     if (structure_.root == kNoIndex)
       add_error("components", "the graph has no camera", "one camera, the root of all links");
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
+      check(k);
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
         add_error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
@@ -118,6 +120,7 @@ class Analysis {
                 fmt::format("at most {} recursions", kMaxRecursions));
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (state[c] == State::unseen) {
         add_error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
                   fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
@@ -178,6 +181,7 @@ class Analysis {
       }
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       std::uint32_t& innermost = structure_.recursion_of[c];
       for (std::uint32_t r = 0; r < recursions.size(); ++r) {
         if (bodies[r][c] && (innermost == kNoIndex || recursions[innermost].level < recursions[r].level)) innermost = r;

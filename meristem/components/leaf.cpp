@@ -77,7 +77,7 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
 double minimum_triangles(const Leaf& leaf, const KnownMembers& known) {
   if (known.varies(leaf.blade)) return 2;
   const SharedNumbers shared(leaf, [](const double&) { return false; });
-  return static_cast<double>(make_leaf_blade(shared_blade(leaf.blade, shared)).triangle_count());
+  return static_cast<double>(leaf_blade_triangles(shared_blade(leaf.blade, shared)));
 }
 
 void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {

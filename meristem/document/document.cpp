@@ -233,8 +233,11 @@ class DocumentReader {
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
     }
-    graph.components.resize(given->object()->size());
-    for (std::size_t c = 0; c < graph.components.size(); ++c) graph.components[c].id = (*given->object())[c].first;
+    graph.components.reserve(given->object()->size() + 1);  // and a camera
+    for (const auto& member : *given->object()) {
+      reader.check_stop();
+      graph.components.emplace_back().id = member.first;
+    }
     // Components that give names are read before all components that may use the names.
     const auto read_all = [&](bool gives) {
       for (std::size_t c = 0; c < graph.components.size(); ++c) {

@@ -135,8 +135,8 @@ class Forecast {
     if (is_together) points_[kind.component] += kind.count * counts.points;
   }
 
-  /// Returns the triangles of each component. Components of few instances are left out, because a mesh may have to be
-  /// made for the answer.
+  /// Returns the triangles of each component. Components of few instances are left out, because outlines may have to be cut
+  /// for the answer.
   std::vector<double> triangles() const {
     std::vector<double> triangles(visible_.size());
     for (std::size_t c = 0; c < triangles.size(); ++c) {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/free_later.h"
+#include "meristem/graph/flat_lists.h"
 #include "meristem/graph/graph.h"
 
 namespace meristem {
@@ -24,21 +26,22 @@ class Analysis {
     structure_.outgoing.resize(graph.components.size());
     structure_.recursion_of_link.assign(graph.links.size(), kNoIndex);
     structure_.recursion_of.assign(graph.components.size(), kNoIndex);
-    incoming_.resize(graph.components.size());
     spans_.resize(graph.components.size());
   }
+
+  /// Returns what has been found so far.
+  Structure take() { return std::move(structure_); }
 
   Structure run() {
     const std::size_t errors_before = diagnostics_.size();
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       check(k);
       structure_.outgoing[graph_.links[k].from].push_back(k);
-      incoming_[graph_.links[k].to].push_back(k);
     }
     find_root();
     if (diagnostics_.size() == errors_before) find_recursions();
     if (diagnostics_.size() == errors_before) order_recursions();
-    return std::move(structure_);
+    return take();
   }
 
  private:
@@ -60,6 +63,7 @@ class Analysis {
   void find_root() {
     structure_.root = kNoIndex;
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (!graph_.components[c].type->is_camera) continue;
       if (structure_.root != kNoIndex) {
         add_error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
@@ -71,6 +75,7 @@ class Analysis {
     if (structure_.root == kNoIndex)
       add_error("components", "the graph has no camera", "one camera, the root of all links");
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
+      check(k);
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
         add_error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
@@ -118,6 +123,7 @@ class Analysis {
                 fmt::format("at most {} recursions", kMaxRecursions));
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (state[c] == State::unseen) {
         add_error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
                   fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
@@ -163,6 +169,10 @@ class Analysis {
       }
     }
     std::vector<std::vector<bool>> bodies;
+    if (!recursions.empty()) {
+      incoming_ = make_flat_lists(graph_.components.size(), graph_.links.size(),
+                                  [&](std::size_t k) { return graph_.links[k].to; });
+    }
     for (const Structure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
     for (Structure::Recursion& inner : recursions) {
       std::set<ComponentIndex> outer_heads;
@@ -178,6 +188,7 @@ class Analysis {
       }
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       std::uint32_t& innermost = structure_.recursion_of[c];
       for (std::uint32_t r = 0; r < recursions.size(); ++r) {
         if (bodies[r][c] && (innermost == kNoIndex || recursions[innermost].level < recursions[r].level)) innermost = r;
@@ -210,7 +221,7 @@ class Analysis {
       const ComponentIndex component = open.back();
       open.pop_back();
       if (component == recursion.head) continue;
-      for (const LinkIndex link : incoming_[component]) {
+      for (const LinkIndex link : incoming_.of(component)) {
         const ComponentIndex from = graph_.links[link].from;
         if (inside[from] || spans_[from].first < below.first || spans_[from].first >= below.end) continue;
         inside[from] = true;
@@ -231,8 +242,8 @@ class Analysis {
   std::vector<Diagnostic>& diagnostics_;
   const Progress* progress_;
   Structure structure_;
-  std::vector<std::vector<LinkIndex>> incoming_;  // by component
-  std::vector<Span> spans_;                       // by component
+  FlatLists incoming_;       // links by component; only if there are recursions
+  std::vector<Span> spans_;  // by component
   std::size_t errors_ = 0;
 };
 
@@ -244,7 +255,13 @@ std::string link_path(const Graph& graph, LinkIndex link) {
 }
 
 void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress) {
-  graph.structure = Analysis(graph, diagnostics, progress).run();
+  Analysis analysis(graph, diagnostics, progress);
+  try {
+    graph.structure = analysis.run();
+  } catch (const Cancelled&) {
+    free_later(analysis.take());
+    throw;
+  }
 }
 
 }  // namespace meristem

@@ -22,6 +22,7 @@
 #include "meristem/output/picture/path_tracer.h"
 #include "meristem/output/picture/photographer.h"
 #include "meristem/output/picture/tone_map.h"
+#include "meristem/shape/scene/scene_size.h"
 
 namespace meristem {
 
@@ -229,6 +230,7 @@ Image render_still(MeshScene&& meshes, const Scene& scene, const View& view, con
   begin(options, progress);
   const Framing framing = framing_of(meshes, scene, view, options, progress);
   MeshScene shown = std::move(meshes);
+  if (distinct_size(shown) > RaySceneOptions().large_from) free_tangents(shown);
   if (shows_obstacles(scene, options)) shown = with_obstacles(std::move(shown), scene.obstacles);
   return exposed(shown, framing, scene, view, options, progress);
 }

@@ -107,7 +107,8 @@ TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
   if (area > 0) position.uvs_per_metre = std::sqrt(std::abs(uv_area) / area);
 
   // The directions in which u and v rise, from the mesh's tangents, or else from the triangle's own uvs.
-  if (!mesh.tangents.empty() && !mesh.normals.empty()) {
+  // Pictures of large scenes free the tangents, and must not depend on whether they were freed.
+  if (!mesh.tangents.empty() && !mesh.normals.empty() && !trees_->is_large()) {
     Vec4 tangent(0);
     Vec3 normal(0);
     for (int k = 0; k < 3; ++k) {

@@ -13,6 +13,7 @@
 #include "meristem/base/embree.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
+#include "meristem/shape/scene/scene_size.h"
 #include "tests/support/sample_scenes.h"
 
 namespace meristem::ray_scene_test {
@@ -182,6 +183,49 @@ TEST(RayScene, LargeScenesTakeAFewBytesForATriangleAndALeaf) {
   trunk.meshes[1].mesh = strip(1'000'000);
   EXPECT_LE(bytes_of(trunk, kLarge), 1'000'000 * 15U);
   EXPECT_LE(bytes_of(leafy_scene(400'000), kLarge), 400'000 * 35U);
+}
+
+/// Returns a level field whose u rises along x, and whose tangents point elsewhere.
+MeshScene field_with_tangents() {
+  MeshScene scene = field(4);
+  Mesh mesh = *scene.meshes[0].mesh;
+  for (const Vec3 position : mesh.positions) mesh.uvs.emplace_back(position.x, -position.z);
+  mesh.normals.assign(mesh.vertex_count(), kUp);
+  mesh.tangents.assign(mesh.vertex_count(), Vec4(0, 0, 1, 1));
+  scene.meshes[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return scene;
+}
+
+TEST(RayScene, LargeScenesTakeTheDirectionsOfTexturesFromUvs) {
+  MeshScene scene = field_with_tangents();
+  const auto along_u = [&](const RaySceneOptions& options) {
+    Progress progress;
+    const RayScene rays(scene, progress, options);
+    return rays.texture_mapping(*rays.first_hit({Vec3(1.3F, 4, 2.2F), Vec3(0, -1, 0)})).along_u;
+  };
+  EXPECT_LT(glm::distance(along_u(kCopied), Vec3(0, 0, 1)), 1e-6F);
+  EXPECT_LT(glm::distance(along_u(kLarge), Vec3(1, 0, 0)), 1e-6F);
+  free_tangents(scene);
+  EXPECT_LT(glm::distance(along_u(kLarge), Vec3(1, 0, 0)), 1e-6F);
+}
+
+TEST(SceneSize, FreedTangentsLeaveAllElseAndSharedMeshesShared) {
+  MeshScene scene = field_with_tangents();
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes[1].frames.resize(3);
+  scene.meshes.push_back(field_with_tangents().meshes[0]);
+  EXPECT_EQ(distinct_size(scene), 3 * 32 + 1 + 3 + 1U);
+  const std::shared_ptr<const Mesh> before = scene.meshes[0].mesh;
+  free_tangents(scene);
+  const Mesh& after = *scene.meshes[0].mesh;
+  EXPECT_EQ(&after, scene.meshes[1].mesh.get());
+  EXPECT_NE(&after, scene.meshes[2].mesh.get());
+  EXPECT_TRUE(after.tangents.empty());
+  EXPECT_FALSE(before->tangents.empty()) << "the mesh of others keeps its tangents";
+  EXPECT_EQ(after.positions, before->positions);
+  EXPECT_EQ(after.normals, before->normals);
+  EXPECT_EQ(after.uvs, before->uvs);
+  EXPECT_EQ(after.triangles, before->triangles);
 }
 
 TEST(RayScene, AnotherPlaceOfAPlantCostsAnInstance) {

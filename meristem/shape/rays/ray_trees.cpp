@@ -16,6 +16,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/plant_bounds.h"
+#include "meristem/shape/scene/scene_size.h"
 
 namespace meristem {
 
@@ -44,13 +45,6 @@ std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t max_triang
     }
   }
   return copied;
-}
-
-/// Returns the number of distinct triangles and of frames.
-std::uint64_t size_of(const MeshScene& scene) {
-  std::uint64_t sum = 0;
-  for (const MeshInstances& part : scene.meshes) sum += part.mesh->triangle_count() + part.frames.size();
-  return sum;
 }
 
 bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
@@ -298,7 +292,7 @@ RayTrees::RayTrees(const MeshScene& scene, std::uint64_t copied_triangles, std::
   };
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, this);
 
-  is_large_ = size_of(scene) > large_from;
+  is_large_ = distinct_size(scene) > large_from;
   const std::vector<bool> copied = choose_copied(scene, is_large_ ? 0 : copied_triangles);
   top_ = new_scene(progress);
   for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {

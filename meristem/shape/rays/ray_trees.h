@@ -41,6 +41,7 @@ class RayTrees {
 
   std::optional<RayHit> first_hit(const Ray& ray) const;
   bool is_blocked(const Ray& ray, float within) const;
+  bool is_large() const { return is_large_; }  ///< true if the scene is large
   /// Returns the bytes that Embree uses now.
   std::uint64_t bytes() const;
 

@@ -47,4 +47,7 @@ std::optional<SilhouetteError> find_error(const SolidOfRevolution& solid);
 /// fewer than 3 segments, fewer than 1 ring, or a sweep that is not above 0.
 Mesh make_revolution(const SolidOfRevolution& solid);
 
+/// Returns the number of triangles of make_revolution without making the mesh. Throws like make_revolution.
+std::size_t revolution_triangles(const SolidOfRevolution& solid);
+
 }  // namespace meristem

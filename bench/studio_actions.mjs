@@ -2,10 +2,31 @@
 // Random actions of a user in the studio. Each action takes the page and draws its decisions from `chance`. An action
 // that is impossible at the moment returns false. Actions use only the mouse and the keyboard, and no functions of the
 // page. Actions that save also take the files of the server's folder (studio_soak.mjs).
-import { choose, leave_fields, open_file, open_model, row, save_as, save_here, start_new, type_into } from '../tests/studio/page/hands.mjs';
+import {
+  choose,
+  leave_fields,
+  open_file,
+  open_model,
+  row,
+  save_as,
+  save_here,
+  start_new,
+  type_into,
+} from '../tests/studio/page/hands.mjs';
 import { patient, settled } from '../tests/studio/page/support.mjs';
 
-export const kModels = ['oak', 'pear-espalier', 'slender', 'sunflower', 'box-hedge', 'tulip', 'fern', 'caladium', 'low-poly-shrub', 'mint'];
+export const kModels = [
+  'oak',
+  'pear-espalier',
+  'slender',
+  'sunflower',
+  'box-hedge',
+  'tulip',
+  'fern',
+  'caladium',
+  'low-poly-shrub',
+  'mint',
+];
 /// The small document that is open while memory is measured. No action saves it.
 export const kRestFile = 'small.json';
 const kPatience = { timeout: patient(5000) };
@@ -14,7 +35,6 @@ const kPatience = { timeout: patient(5000) };
 export const kFileNames = ['plain.json', 'Ähre.json', '樹 木.json', '🌳🌿.json', "it's 100% #1 & more.json"];
 /// Names of plants, with the same kinds of letters.
 export const kPlantNames = ['Ähre für Jürgen', '樹木', '🌳 with a "quoted" \\ word', 'Сосна'];
-
 
 /// Random numbers from 0 to 1 from a seed (mulberry32), and functions that draw with them.
 export class Chance {
@@ -71,8 +91,16 @@ async function view_point(page, chance) {
 
 /// Shows the outline and the inspector if another panel hides them.
 async function show_inspector(page) {
-  if ((await page.locator('.left.of-board').count()) > 0) await page.getByRole('group', { name: 'Outline or board' }).getByRole('button', { name: 'Outline', exact: true }).click(kPatience);
-  if ((await page.locator('.right.of-inspector').count()) === 0) await page.getByRole('group', { name: 'Side panel' }).getByRole('button', { name: 'Inspector', exact: true }).click(kPatience);
+  if ((await page.locator('.left.of-board').count()) > 0)
+    await page
+      .getByRole('group', { name: 'Outline or board' })
+      .getByRole('button', { name: 'Outline', exact: true })
+      .click(kPatience);
+  if ((await page.locator('.right.of-inspector').count()) === 0)
+    await page
+      .getByRole('group', { name: 'Side panel' })
+      .getByRole('button', { name: 'Inspector', exact: true })
+      .click(kPatience);
 }
 
 async function choose_component(page, chance) {
@@ -90,7 +118,8 @@ async function open_another(page, chance) {
   await open_model(page, model);
   const banner = page.locator('[data-banner="kept"]');
   const is_restored = chance.happens(0.3);
-  if (await banner.isVisible()) await banner.getByRole('button', { name: is_restored ? 'Restore' : 'Discard' }).click(kPatience);
+  if (await banner.isVisible())
+    await banner.getByRole('button', { name: is_restored ? 'Restore' : 'Discard' }).click(kPatience);
   return true;
 }
 
@@ -112,7 +141,12 @@ async function type_a_number(page, chance) {
   if (!one) return false;
   await one.click(kPatience);
   const value = Number(await one.inputValue());
-  const text = kind < 0.7 && Number.isFinite(value) ? String(Number((value * factor).toPrecision(3))) : kind < 0.85 ? '1/3' : chance.one_of(['0.1 + 0.01*i', 'no_such_name', '2*']);
+  const text =
+    kind < 0.7 && Number.isFinite(value)
+      ? String(Number((value * factor).toPrecision(3)))
+      : kind < 0.85
+        ? '1/3'
+        : chance.one_of(['0.1 + 0.01*i', 'no_such_name', '2*']);
   await press(page, 'Control+a');
   await page.keyboard.type(text);
   await page.keyboard.press(chance.happens(0.85) ? 'Enter' : 'Escape');
@@ -131,9 +165,9 @@ async function click_the_plant(page, chance) {
   await page.mouse.click(x, y);
   const tool = page.locator('.shoot-tool');
   await tool.waitFor({ timeout: 700 }).catch(() => undefined);
-  const [deed, acts] = [chance.one_of(['Cut', 'Bend', 'Tie', 'Mark']), chance.happens(0.7)];
+  const [action, acts] = [chance.one_of(['Cut', 'Bend', 'Tie', 'Mark']), chance.happens(0.7)];
   if (!(await tool.isVisible())) return true;
-  await tool.getByRole('button', { name: deed, exact: true }).first().click(kPatience);
+  await tool.getByRole('button', { name: action, exact: true }).first().click(kPatience);
   const main = tool.locator('.shoot-act .button.main');
   if (acts && (await main.isEnabled(kPatience))) await main.click(kPatience);
   return true;
@@ -144,7 +178,9 @@ async function walk_the_tree(page, chance) {
   await page.keyboard.press('Enter');
   const tool = page.locator('.shoot-tool');
   await tool.waitFor({ timeout: 1500 }).catch(() => undefined);
-  const keys = Array.from({ length: chance.whole(3, 15) }, () => chance.one_of(['ArrowLeft', 'ArrowRight', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'End']));
+  const keys = Array.from({ length: chance.whole(3, 15) }, () =>
+    chance.one_of(['ArrowLeft', 'ArrowRight', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'End']),
+  );
   const end = chance.one_of(['Enter', 'Escape']);
   if (!(await tool.isVisible())) return false;
   for (const key of keys) await page.keyboard.press(key);
@@ -181,7 +217,8 @@ async function scrub_time(page, chance) {
   if (!(await timeline.isVisible())) await page.keyboard.press('k');
   await timeline.waitFor(kPatience);
   await page.getByRole('slider', { name: 'Time that is shown' }).focus();
-  for (let k = chance.whole(3, 12); k > 0; k -= 1) await page.keyboard.press(chance.one_of(['ArrowRight', 'Shift+ArrowRight', 'ArrowLeft', 'End', 'Home']));
+  for (let k = chance.whole(3, 12); k > 0; k -= 1)
+    await page.keyboard.press(chance.one_of(['ArrowRight', 'Shift+ArrowRight', 'ArrowLeft', 'End', 'Home']));
   if (chance.happens(0.5)) {
     await leave_fields(page);
     await page.keyboard.press('Shift+K');
@@ -226,7 +263,9 @@ async function look_at_strips(page, chance) {
   const button = one.getByRole('button', { name: /^Plants over/ });
   if (!(await button.isVisible())) return false;
   await button.click(kPatience);
-  await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length > 1, null, { timeout: patient(8000) }).catch(() => undefined);
+  await page
+    .waitForFunction(() => document.querySelectorAll('.strip img.still').length > 1, null, { timeout: patient(8000) })
+    .catch(() => undefined);
   if (takes) await (await any(chance, page.locator('.strip button')))?.click(kPatience);
   if (closes) await button.click(kPatience);
   return true;
@@ -273,12 +312,15 @@ async function move_grips(page, chance) {
   const list = page.locator('.gizmo-card select');
   await list.waitFor({ timeout: 2000 }).catch(() => undefined);
   if (!(await list.isVisible())) return false;
-  const names = await list.locator('option').evaluateAll((all) => all.map((one) => one.value).filter((one) => one !== ''));
+  const names = await list
+    .locator('option')
+    .evaluateAll((all) => all.map((one) => one.value).filter((one) => one !== ''));
   if (names.length === 0) return false;
   await list.selectOption(chance.one_of(names));
   const grip = await any(chance, page.locator('.gizmo-grip'));
   await grip?.focus();
-  for (let k = chance.whole(1, 8); k > 0; k -= 1) await page.keyboard.press(chance.one_of(['ArrowUp', 'ArrowRight', 'ArrowLeft', 'Shift+ArrowUp', 'PageDown']));
+  for (let k = chance.whole(1, 8); k > 0; k -= 1)
+    await page.keyboard.press(chance.one_of(['ArrowUp', 'ArrowRight', 'ArrowLeft', 'Shift+ArrowUp', 'PageDown']));
   return true;
 }
 
@@ -292,7 +334,10 @@ async function export_files(page, chance) {
   const button = dialog.getByRole('button', { name: 'Export', exact: true });
   if (await button.isEnabled(kPatience)) {
     await button.click(kPatience);
-    await dialog.locator('.made-file').waitFor({ timeout: chance.happens(0.8) ? patient(20000) : 50 }).catch(() => undefined);
+    await dialog
+      .locator('.made-file')
+      .waitFor({ timeout: chance.happens(0.8) ? patient(20000) : 50 })
+      .catch(() => undefined);
   }
   return true;
 }
@@ -302,7 +347,9 @@ async function work_on_the_board(page, chance) {
   if (!(await page.locator('.board-canvas').isVisible())) await page.keyboard.press('b');
   await page.locator('.board-canvas').waitFor(kPatience);
   const node = await any(chance, page.locator('.board-canvas [data-node]'));
-  const keys = Array.from({ length: chance.whole(1, 4) }, () => chance.one_of(['Control+d', 'Control+c', 'Control+v', 'Delete', 'h', 'Space', 'ArrowDown', 'ArrowRight']));
+  const keys = Array.from({ length: chance.whole(1, 4) }, () =>
+    chance.one_of(['Control+d', 'Control+c', 'Control+v', 'Delete', 'h', 'Space', 'ArrowDown', 'ArrowRight']),
+  );
   if (node && (await node.isVisible())) {
     await node.click({ ...kPatience, force: true });
     for (const key of keys) await page.keyboard.press(key);
@@ -315,13 +362,17 @@ async function work_on_the_board(page, chance) {
 async function draw_anew(page, chance) {
   await leave_fields(page);
   if (chance.happens(0.5)) await page.keyboard.press('r');
-  else if (await page.getByRole('button', { name: 'Surprise me', exact: true }).isVisible()) await page.getByRole('button', { name: 'Surprise me', exact: true }).click(kPatience);
+  else if (await page.getByRole('button', { name: 'Surprise me', exact: true }).isVisible())
+    await page.getByRole('button', { name: 'Surprise me', exact: true }).click(kPatience);
   return true;
 }
 
 async function hide_and_show(page, chance) {
   await show_inspector(page);
-  const item = await any(chance, page.locator('.outline-item').filter({ has: page.getByRole('button', { name: /^Draw / }) }));
+  const item = await any(
+    chance,
+    page.locator('.outline-item').filter({ has: page.getByRole('button', { name: /^Draw / }) }),
+  );
   if (!item) return false;
   await item.hover(kPatience);
   await item.getByRole('button', { name: /^Draw / }).click(kPatience);
@@ -391,19 +442,41 @@ async function reopen_a_file(page, chance, files) {
 }
 
 /// The actions with their relative frequencies.
-export const kDeeds = [
-  [6, open_another], [12, pull_a_handle], [12, pull_a_row], [12, type_a_number], [10, undo_and_redo], [8, click_the_plant],
-  [6, walk_the_tree], [5, see_growth], [5, scrub_time], [10, open_panels], [4, type_text], [4, look_at_strips],
-  [2, throw_nine], [3, pin_a_state], [6, move_the_camera], [6, move_grips], [4, export_files], [4, work_on_the_board],
-  [4, draw_anew], [4, hide_and_show], [3, rename_the_plant], [3, start_a_new_one], [4, save_under_a_name], [6, save_it_here],
-  [2, save_over_others], [3, save_change_and_save], [4, reopen_a_file],
+export const kActions = [
+  [6, open_another],
+  [12, pull_a_handle],
+  [12, pull_a_row],
+  [12, type_a_number],
+  [10, undo_and_redo],
+  [8, click_the_plant],
+  [6, walk_the_tree],
+  [5, see_growth],
+  [5, scrub_time],
+  [10, open_panels],
+  [4, type_text],
+  [4, look_at_strips],
+  [2, throw_nine],
+  [3, pin_a_state],
+  [6, move_the_camera],
+  [6, move_grips],
+  [4, export_files],
+  [4, work_on_the_board],
+  [4, draw_anew],
+  [4, hide_and_show],
+  [3, rename_the_plant],
+  [3, start_a_new_one],
+  [4, save_under_a_name],
+  [6, save_it_here],
+  [2, save_over_others],
+  [3, save_change_and_save],
+  [4, reopen_a_file],
 ];
 
-export function next_deed(chance) {
-  let left = chance.next() * kDeeds.reduce((sum, [often]) => sum + often, 0);
-  for (const [often, deed] of kDeeds) {
+export function next_action(chance) {
+  let left = chance.next() * kActions.reduce((sum, [often]) => sum + often, 0);
+  for (const [often, action] of kActions) {
     left -= often;
-    if (left < 0) return deed;
+    if (left < 0) return action;
   }
-  return kDeeds[0][1];
+  return kActions[0][1];
 }

@@ -120,7 +120,7 @@ struct OrganizeParameters {
   PipeModel radii;                          ///< radii of the finished skeleton
   std::optional<Bearing> bearing;           ///< fruits; unset: none
   std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
-  std::optional<double> closure;            ///< metres by which a wound's radius shrinks per iteration; unset: unknown
+  std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
   double callus = 0;                  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
   std::vector<Operation> operations;  ///< applied in this order
   std::vector<std::string> marks;     ///< names of the marks, by number

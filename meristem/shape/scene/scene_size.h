@@ -7,8 +7,8 @@
 
 namespace meristem {
 
-/// Returns the number of distinct triangles and of frames, by which a scene of rays is large
-/// (RaySceneOptions::large_from). The frames of a placed plant count once.
+/// Returns the size of a scene of rays: the number of distinct triangles and frames. The frames of a placed plant count
+/// once. RaySceneOptions::large_from is compared with this size.
 std::uint64_t distinct_size(const MeshScene& scene);
 
 /// Frees the tangents of all meshes, which large scenes of rays do not use. Meshes that are used elsewhere keep theirs

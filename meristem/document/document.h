@@ -54,7 +54,7 @@ struct OutputParameters {
 /// ("links[1].density", "scene.latitude", "seed"). A variable takes precedence over a key of its name.
 struct Override {
   std::string path;  ///< such as "age" or "stem.length"
-  Value value;       ///< replaces the value in the text
+  Value value;       ///< replaces the value in the text; null removes it
   std::string name;  ///< source of the value in messages, instead of a file; empty: "set PATH"
 };
 
@@ -72,9 +72,10 @@ struct Source {
                                              ///< each path
   std::vector<VariableNote> variable_notes;  ///< notes of the variables that values depend on
 
-  /// Sets file, line and column of diagnostics with a path: in the text, or in the override that gave the value. Errors
-  /// mention the variables behind the value that were set or lie beyond their ranges. Throws Cancelled soon after
-  /// `progress` was asked to stop. Null: it cannot be stopped.
+  /// Sets the file of all diagnostics to the document, and the line and column of those without a line. If an override
+  /// gave the value, the file is the name of the override, and line and column are 0. Errors mention the variables
+  /// behind the value that were set or lie beyond their ranges. Throws Cancelled soon after `progress` was asked to
+  /// stop. Null: it cannot be stopped.
   void place(std::vector<Diagnostic>& diagnostics, const Progress* progress = nullptr) const;
 };
 
@@ -101,8 +102,8 @@ struct Document {
 const Document& document_at(const Document& document, double time, std::optional<Document>& other,
                             const Progress* progress = nullptr);
 
-/// Splits "PATH=VALUE". The value is read as JSON if possible, else as text. Throws InputError for texts without '=' or
-/// without a path before it. read_document checks the path itself.
+/// Splits "PATH=VALUE". The value is read as JSON if possible, else as text. The value `null` removes the key. Throws
+/// InputError for texts without '=' or without a path before it. read_document checks the path itself.
 Override parse_override(std::string_view text);
 
 /// A chain of documents that name each other, from the last one backwards.
@@ -138,7 +139,8 @@ struct ReadOptions {
 
 /// Reads a document's text. `file` is the name of the document in messages; relative paths in the document start at the
 /// folder of `file`. Throws one InputError with all faults (up to the limit), each with line, column and document path.
-/// Throws Cancelled if it was asked to stop. Takes time in proportion to the size of the text.
+/// Throws Cancelled if it was asked to stop. `registry` must outlive the document. Takes time in proportion to the size
+/// of the text.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options = {});
 

@@ -37,11 +37,12 @@ struct LightParameters {
 
 /// Returns the rows of LightParameters. check_light() has the rules between them.
 const ParameterTable& light_table();
-/// Reports settings that exclude each other, at `path`.
+/// Checks the light as a whole. Reports a sun with a day without a latitude, and more than 1000 lamps. `path` is the
+/// path of the scene.
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader);
 
-/// Sets the scene's light and its sun in pictures. `path` is the scene's path. Warns if the sun gives no light. The
-/// settings must have passed check_light() without faults.
+/// Sets the scene's light, its sun in pictures, its latitude and its clock. `path` is the scene's path. Warns if the
+/// sun gives no light. The settings must have passed check_light() without faults.
 void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene);
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ inline constexpr double kMinOutlineShared = 0.9;
 inline constexpr double kMinCrownShared = 0.8;
 
 /// Returns the maximum height of a plant that is shown as level `number`, in pixels: half of the level before, 256 for
-/// level 0.
+/// level 0, but at least 16.
 int pixels_of_level(int number);
 
 /// Returns why `level` is not worth a file: it has hardly fewer triangles than the level before, or it loses the
@@ -40,8 +40,8 @@ struct WorthlessLevel {
 };
 
 /// Makes the levels of detail 1 to `count` of a plant in order, and passes the number and the meshes of each to `take`.
-/// Stops before the first level that is not worth a file and returns this level. `whole` must be the plant's meshes in
-/// full detail, with their textures.
+/// Stops before the first level that is not worth a file and returns this level. Returns nothing if all levels are
+/// worth a file. `whole` must be the plant's meshes in full detail, with their textures. Throws like mesh_detail.
 std::optional<WorthlessLevel> make_levels(const Document& document, const Plant& plant, const MeshScene& whole,
                                           int count, const std::function<void(int, MeshScene)>& take,
                                           Progress& progress);

@@ -50,7 +50,8 @@ struct Placement {
 
 /// Returns the rows of Placement.
 const ParameterTable& placement_table();
-/// Checks the rules between the rows of Placement, for components that have them as their own rows.
+/// Reports a density beside a count, and a start beyond the end. `path` is the path of the placement. For components
+/// that have the rows of Placement as their own.
 void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader);
 
 /// Returns `own` with the members that `link` was given. A link with a density or a count replaces both of `own`, and a
@@ -90,7 +91,8 @@ struct PlacementContext {
 /// is negative. At a gravity of strength 1, `droop` is the share of the turn.
 Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
 
-/// Returns for every node 1 if the segment that ends in the node may carry children, else 0.
+/// Returns for every node 1 if the segment that ends in the node may carry children, else 0. Decides by `where`, twigs
+/// and `everywhere` only, not by start, end and spread.
 std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
                                         const PlacementContext& context);
 
@@ -99,12 +101,12 @@ std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placemen
 /// The last place is smaller, and the others make room for it, so that nothing jumps while a count rises or falls. An
 /// organ's frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the
 /// axis's tip. A lateral axis begins at its parent's bark. A skeleton of one node has no axis and gets no sites. Throws
-/// InputError past the limit of instances.
+/// InputError past the limit of instances, and if children must face a surface but the scene has no obstacle.
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
-/// Returns a site at the tip of every axis of `skeleton`. The site heads along the axis's last segment; on a single
-/// node it heads as the parent does. i and n count over all tips, and the keys are derived from the parent's. `stem` is
-/// the skeleton's id.
+/// Returns a site at the tip of every axis of `skeleton`, in the order of the axes. Every axis must have a node. The
+/// site heads along the axis's last segment; on a single node it heads as the parent does. i and n count over all tips.
+/// All sites have the parent's key, so the caller must set keys of their own. `stem` is the skeleton's id.
 std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent);
 
 }  // namespace meristem

@@ -21,8 +21,8 @@ std::vector<std::uint64_t> strahler_streams(const Skeleton& skeleton, std::span<
 /// `streams`.
 std::vector<double> bifurcation_ratios(std::span<const std::uint64_t> streams);
 
-/// Returns the geometric mean of all bifurcation ratios, which is a root of the first count divided by the last.
-/// `streams` must have at least two entries.
+/// Returns the geometric mean of all bifurcation ratios, which is a root of the first count divided by the last. Throws
+/// std::invalid_argument for fewer than two entries.
 double mean_bifurcation_ratio(std::span<const std::uint64_t> streams);
 
 }  // namespace meristem

@@ -21,14 +21,15 @@ struct Splice {
 /// Splices in rising order that do not overlap. All offsets refer to the text before the patch.
 using Patch = std::vector<Splice>;
 
-/// Returns true if the splices are in rising order, do not overlap and lie within a text of that size. All functions
-/// below require this.
+/// Returns true if the splices are in rising order, do not overlap and lie within a text of that size. Splices may
+/// touch each other, and several may insert at one offset. All functions below require this.
 bool is_sound(const Patch& patch, std::size_t text_size);
 
 /// Returns the text with the patch. Throws std::invalid_argument if the patch is not sound.
 std::string apply_patch(std::string_view text, const Patch& patch);
 
-/// Returns the patch that turns the patched text back into `text`.
+/// Returns the patch that turns the patched text back into `text`. Throws std::invalid_argument if the patch is not
+/// sound.
 Patch inverse_patch(std::string_view text, const Patch& patch);
 
 /// Joins successive patches. Joins pairs of about equal size, so that n patches take time in proportion to n log n.
@@ -36,7 +37,7 @@ class PatchJoiner {
  public:
   /// Adds the next patch. Its offsets refer to the text after all patches so far.
   void add(Patch patch);
-  /// Returns one patch for all.
+  /// Returns one patch for all. Returns an empty patch if none was added.
   Patch joined() const;
 
  private:
@@ -47,7 +48,8 @@ class PatchJoiner {
   std::vector<Run> runs_;  // each has at least as many patches as the next one
 };
 
-/// Returns one patch for two successive ones. Offsets of `second` refer to the text that `first` has made.
+/// Returns one patch for two successive ones. Offsets of `second` refer to the text that `first` has made. Both patches
+/// must be sound; the function does not check this.
 Patch joined_patches(const Patch& first, const Patch& second);
 
 }  // namespace meristem

@@ -37,7 +37,7 @@ class PacketArrays {
 /// the head as JSON in UTF-8 padded with blanks, and then the arrays. All arrays begin at multiples of 4 bytes.
 std::string packet_bytes(std::string_view letters, const Value& head, const PacketArrays& arrays);
 
-/// Returns three floats per vector.
+/// Returns three floats per vector. Throws InputError for numbers that are not finite.
 std::vector<float> packed_vectors(const std::vector<Vec3>& vectors);
 /// Returns unit vectors as four normalised bytes each, the last one 0.
 std::vector<std::int8_t> packed_normals(const std::vector<Vec3>& normals);
@@ -47,10 +47,11 @@ std::vector<std::int8_t> packed_tangents(const std::vector<Vec4>& tangents);
 bool fit_sixteen_bits(const std::vector<Vec2>& uvs);
 /// Returns texture coordinates in 0 to 1 as 16-bit whole numbers: 65535 is 1.
 std::vector<std::uint16_t> packed_uvs(const std::vector<Vec2>& uvs);
-/// Returns texture coordinates as floats, for coordinates outside 0 to 1.
+/// Returns texture coordinates as floats, for coordinates outside 0 to 1. Throws InputError for numbers that are not
+/// finite.
 std::vector<float> wide_uvs(const std::vector<Vec2>& uvs);
 /// Returns three rows of four numbers per frame. The mapped x, y and z of a point are the products of these rows with
-/// (x, y, z, 1).
+/// (x, y, z, 1). Throws InputError for numbers that are not finite.
 std::vector<float> packed_frames(const std::vector<Frame>& frames);
 
 /// Returns the largest factor of each channel, or a small positive number.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Returns 32-bit numbers as messages write them.
+// 32-bit numbers in the form of messages.
 #pragma once
 
 #include "meristem/base/vec.h"

@@ -47,7 +47,8 @@ struct ValueOfMember<std::optional<M>> {
 template <class M>
 using ValueOf = typename ValueOfMember<M>::Type;
 
-/// Reads a document's value into a member of the row's struct. Reports faults to the reader, at the path.
+/// Reads a document's value into a member of the row's struct. Reports errors to the reader, at the path. After an
+/// error, the member may be partly changed.
 void read_value(const Parameter&, bool& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
@@ -63,7 +64,8 @@ void read_value(const Parameter&, std::vector<int>& member, const Value&, const 
 void read_value(const Parameter&, Selection& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Formula& member, const Value&, const DocumentPath&, ParameterReader&);
 
-/// Returns a member as a document would write it; null if it is unset.
+/// Returns a member as a document would write it; null if it is unset. Numbers are in document units and are rounded to
+/// 7 digits. Lists of whole numbers are exact.
 Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
@@ -79,7 +81,7 @@ Value show_value(const Parameter&, const std::vector<int>& member);
 Value show_value(const Parameter&, const Selection& member);
 Value show_value(const Parameter&, const Formula& member);
 
-/// A number of the struct in document units, as people write it.
+/// Returns a number of the struct in document units, rounded to 7 digits.
 Value show_number(const Parameter&, double number);
 
 /// Writes to a member of type M, which is a number or an optional one.

@@ -37,8 +37,9 @@ class BranchLoad {
       : sag_(sag), radii_(radii), directions_(directions), root_(root) {}
 
   /// Returns the metamers after bending all internodes by the increase of their load since take(). Everything on an
-  /// internode moves and turns with it. Tied shoots keep their form, and their support bears their load. No metamer
-  /// moves below the ground, which is horizontal at the root. Obstacles are ignored. `iteration` is the newest.
+  /// internode moves and turns with it. Tied shoots keep their form, and their support bears their load. No metamer of
+  /// a free shoot moves below the ground, which is horizontal at the root. An internode turns by at most 0.35 radians
+  /// per call, and an internode at the ground may change its length. Obstacles are ignored. `iteration` is the newest.
   Pose bend(const Metamers& metamers, int iteration) const;
   /// Sets the moments that internodes have yielded to; missing entries are 0.
   void take(std::vector<Vec3> moment) { moment_ = std::move(moment); }

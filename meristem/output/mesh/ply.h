@@ -28,13 +28,15 @@ struct PlyOptions {
 /// Instances are flattened.
 ///
 /// Streams: memory beyond the scene stays below 64 MB. The file appears whole or not at all. "-" is standard output.
-/// Throws MachineError (path, disk), InputError for more vertices than an `int` can count, Cancelled.
+/// Throws MachineError (path, disk) and Cancelled. Throws InputError for numbers that are not finite, and for more
+/// vertices or triangles than an `int` can count.
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress);
 
 /// Writes the skeletons of `plant` as points and edges in binary little-endian PLY, in metres, y up. A vertex has the
 /// columns of SkeletonTable, `x y z radius` first, and `label` as a text. The column `node` is left out, because it is
 /// the number of the vertex. `parent` is a vertex or -1, `component` an index as above, and NaN marks unknown values.
-/// An edge is `vertex1 vertex2`, from parent to child. Streams, throws and appears like write_mesh_ply.
+/// An edge is `vertex1 vertex2`, from parent to child. Plantings are expanded first, within `limits`. Streams, throws
+/// and appears like write_mesh_ply.
 void write_skeleton_ply(const Plant& plant, const Limits& limits, const std::string& path, const PlyOptions& options,
                         Progress& progress);
 

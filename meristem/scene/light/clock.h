@@ -34,7 +34,8 @@ int days_between(const Date& from, const Date& to);
 
 /// Parses "15:30" or "15:30:20" and returns hours, 0 to 24. Returns nothing for other texts.
 std::optional<double> parse_clock_hour(std::string_view text);
-std::string clock_hour_text(double hour);  ///< "15:30", rounded to the nearest minute
+/// Returns "15:30", rounded to the nearest minute. `hour` must be at least 0. From 23:59:30 on, the result is "24:00".
+std::string clock_hour_text(double hour);
 
 /// The place of a clock: longitude and time zone.
 struct ClockZone {

@@ -28,7 +28,7 @@ constexpr std::string_view kJpegStart = "\xff\xd8\xff";
 }
 
 /// Returns a picture of that size with all bytes zero. Throws InputError if it is too large.
-Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& file, const Limits& limits) {
+Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& file, const SizeLimits& limits) {
   if (width * height > limits.picture_pixels) {
     Diagnostic diagnostic = limit_diagnostic("pixels of a picture", static_cast<double>(width * height),
                                              limits.picture_pixels, "picture_pixels", "");
@@ -40,7 +40,7 @@ Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& 
   return image;
 }
 
-Image parse_png(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_png(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   png_image png{};
   const std::unique_ptr<png_image, void (*)(png_image*)> release(&png, png_image_free);
   png.version = PNG_IMAGE_VERSION;
@@ -56,7 +56,7 @@ Image parse_png(std::string_view bytes, const std::string& file, const Limits& l
   return image;
 }
 
-Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_jpeg(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   const std::unique_ptr<void, int (*)(tjhandle)> jpeg(tjInitDecompress(), tjDestroy);
   if (jpeg == nullptr) throw MachineError(fmt::format("JPEG: {}", tjGetErrorStr2(nullptr)));
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -78,13 +78,13 @@ Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& 
 
 }  // namespace
 
-Image parse_image(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_image(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   if (bytes.substr(0, kPngStart.size()) == kPngStart) return parse_png(bytes, file, limits);
   if (bytes.substr(0, kJpegStart.size()) == kJpegStart) return parse_jpeg(bytes, file, limits);
   throw_image_error(file, "this picture cannot be read", "a PNG or a JPEG file");
 }
 
-Image read_image(const std::string& path, const Limits& limits) {
+Image read_image(const std::string& path, const SizeLimits& limits) {
   return parse_image(read_file(path, limits.file_bytes), path, limits);
 }
 

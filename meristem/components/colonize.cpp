@@ -57,7 +57,7 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   Skeleton skeleton = out.take_grown();
   const bool is_film = out.grows_in_time();
   std::vector<std::uint8_t> shed;
-  if (tree.shed) shed = nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed"));
+  if (tree.shed) shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"));
   if (tree.shed && is_film) {
     let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);
   } else if (tree.shed) {

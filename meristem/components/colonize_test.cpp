@@ -136,7 +136,7 @@ TEST(ColonizeComponent, LeavesStandAlongTwigsAndAtTips) {
   builder.link("tree", "leaf", LinkKind::branch, {{"count", 500}}).link("tree", "bud", LinkKind::leaf);
   const Plant plant = builder.grow();
   EXPECT_EQ(organs_of(plant, "leaf").size(), 500U);
-  const Axes axes(plant.stems.at(0).skeleton);
+  const SkeletonAxes axes(plant.stems.at(0).skeleton);
   EXPECT_EQ(organs_of(plant, "bud").size(), axes.count());
   std::size_t at_tip = 0;
   for (AxisIndex a = 0; a < axes.count(); ++a) {

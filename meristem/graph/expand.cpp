@@ -155,9 +155,9 @@ class Expansion {
   /// Returns a hash of the scene and the limits, on which all results depend. Returns nothing if it is unknown or not
   /// needed.
   CacheKey fingerprint_of_surroundings() const {
-    static_assert(std::has_unique_object_representations_v<Limits>);
+    static_assert(std::has_unique_object_representations_v<SizeLimits>);
     if (!scene_.fingerprint) return std::nullopt;
-    const std::string_view limits(reinterpret_cast<const char*>(&graph_.limits), sizeof(Limits));
+    const std::string_view limits(reinterpret_cast<const char*>(&graph_.limits), sizeof(SizeLimits));
     return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add_text(limits).hash(); });
   }
 
@@ -428,7 +428,7 @@ class Expansion {
       for (const Emitted::EmittedPrototype& made : block.prototypes) meshes.keep(made.key, made.mesh);
     }
     mesh_bytes_.set(component, meshes.bytes());
-    const Limits& limits = graph_.limits;
+    const SizeLimits& limits = graph_.limits;
     const bool fits = nodes_ + result->nodes <= limits.nodes && instances_ + result->offered <= limits.instances &&
                       mesh_bytes_.sum() <= limits.mesh_bytes;
     return fits ? result : nullptr;
@@ -560,7 +560,7 @@ class Expansion {
 
   /// Records the clocks that a component has begun for its children.
   void note_clocks(ComponentIndex component, const Batch& children) {
-    std::optional<Clock> last;
+    std::optional<InstanceClock> last;
     children.read([&](const Site& site) {
       const bool is_new = !last || last->start != site.clock.start || last->speed != site.clock.speed;
       last = site.clock;

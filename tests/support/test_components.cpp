@@ -100,7 +100,7 @@ ComponentType pole() {
                                 static_cast<float>(k));
               skeleton.radius.back() = 0.01F;
             }
-            out.stem(std::move(skeleton), Surface{});
+            out.stem(std::move(skeleton), SurfaceOptions{});
           },
   });
 }

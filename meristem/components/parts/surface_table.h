@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// The parameter table of Surface, for every component that makes stems.
+/// The parameter table of SurfaceOptions, for every component that makes stems.
 const ParameterTable& surface_table();
 
 /// The names of TrimMode and the description of its parameter, for every component that makes stems.

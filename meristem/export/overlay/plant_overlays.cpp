@@ -161,7 +161,7 @@ void show_hull(const OverlaySubject& subject, OverlayLayer& layer) {
   for (const Stem& stem : subject.plant.stems) {
     for (const Skeleton& tree : split_trees(stem.skeleton)) {
       subject.progress.check();
-      const Mesh hull = measure_form(tree, Children(tree), &subject.progress).crown_hull;
+      const Mesh hull = measure_form(tree, NodeChildren(tree), &subject.progress).crown_hull;
       for (const HullEdge& edge : hull_edges(hull)) layer.lines.push_back({edge.from, edge.to, kHull});
     }
   }

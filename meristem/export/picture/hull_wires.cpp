@@ -20,7 +20,7 @@ constexpr float kThickness = 1.0F / 400;     // thickness of a wire, as a share 
 constexpr Vec3 kColour{0.75F, 0.26F, 0.1F};  // sRGB
 
 void add_wires(const Skeleton& tree, const Progress& progress, std::vector<Frame>& wires) {
-  const std::vector<Frame> more = hull_wires(measure_form(tree, Children(tree), &progress).crown_hull);
+  const std::vector<Frame> more = hull_wires(measure_form(tree, NodeChildren(tree), &progress).crown_hull);
   wires.insert(wires.end(), more.begin(), more.end());
 }
 

@@ -20,8 +20,8 @@ namespace meristem {
 const std::vector<std::string>& node_variables();
 
 /// Returns for every node 1 if the condition holds, else 0. `axes` are the skeleton's; `key` seeds random functions.
-std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes, const Condition& condition,
-                                      RandomKey key);
+std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
+                                      const SiteCondition& condition, RandomKey key);
 
 /// Returns the distance from a node's parent, metres. Returns 0 for roots.
 float segment_length(const Skeleton& skeleton, NodeIndex node);

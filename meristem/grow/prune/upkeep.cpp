@@ -8,9 +8,9 @@
 
 namespace meristem {
 
-Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots) {
+OperationWork spur(const TreeState& tree, const SpurOperation& what, const std::vector<Shoot>& shoots) {
   const auto max = static_cast<std::size_t>(what.metamers);
-  Work work;
+  OperationWork work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
     for (std::size_t k = 0; k < shoot.path.size(); ++k) {
@@ -29,9 +29,9 @@ Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& sho
   return work;
 }
 
-Work limit(const Limit& what, const std::vector<Shoot>& shoots) {
+OperationWork limit(const LimitOperation& what, const std::vector<Shoot>& shoots) {
   const auto max = static_cast<std::size_t>(what.metamers);
-  Work work;
+  OperationWork work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
     if (shoot.path.size() > max && (max > 0 || shoot.axis != 0)) work.gone.push_back(shoot.path[max]);

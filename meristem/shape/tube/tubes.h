@@ -40,7 +40,7 @@ class TubePlan;
 ///
 /// Counts the skeleton's nodes in the caller's stage of `progress`. Throws std::invalid_argument if the mesh would need
 /// more than 2^32 vertices, Cancelled. Deterministic on any number of threads. The cost is linear in nodes.
-Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
+Mesh make_tubes(const Skeleton& skeleton, const SurfaceOptions& surface, Progress& progress);
 
 /// Returns the tubes of a skeleton whose axes have different surfaces: the meshes of a plan (tube_plan.h).
 std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress);

@@ -110,7 +110,7 @@ DatasetPlan plan_of(const DatasetCommand& command) {
     }
   }
   // Throws with the nearest existing name
-  if (file != "-" && !fs::exists(file, ignored)) read_file(file, Limits().file_bytes);
+  if (file != "-" && !fs::exists(file, ignored)) read_file(file, SizeLimits().file_bytes);
   return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder(), .root = command.root});
 }
 

@@ -130,7 +130,7 @@ void derive(const DeriveOptions& command) {
   const ThreadLimit threads = limited_threads(command.threads, command.quiet);
   TerminalProgress terminal(command.quiet);
   Progress& progress = terminal.progress();
-  const Limits limits;
+  const SizeLimits limits;
   const RandomKey key(command.seed);
   const Word word = command.drawn ? derive_drawn(grammar, steps, key, limits, progress)
                                   : meristem::derive(grammar, steps, key, limits, progress);

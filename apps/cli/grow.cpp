@@ -48,7 +48,7 @@ struct GrowOptions {
 
 /// A file to write.
 struct PlannedFile {
-  const Format* format;
+  const FileFormat* format;
   std::string path;
 };
 
@@ -57,8 +57,8 @@ InputError wrong_lod(std::string message, std::string expected) {
 }
 
 /// Throws InputError for an option that would change none of the files.
-void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  const auto has_meshes = [](const Format* format) { return format->has_meshes(); };
+void check_options(const GrowOptions& options, const std::vector<const FileFormat*>& formats) {
+  const auto has_meshes = [](const FileFormat* format) { return format->has_meshes(); };
   if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
     throw wrong_lod(fmt::format("--lod cannot be {}", *options.lod), fmt::format("0 to {} levels", kCoarsestDetail));
   }
@@ -70,7 +70,7 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
       throw wrong_lod("--lod changes none of the files", "a file that ends in .glb, .obj or .ply");
     }
   }
-  const auto has_textures = [](const Format* format) { return format->has_textures(); };
+  const auto has_textures = [](const FileFormat* format) { return format->has_textures(); };
   if (options.cards && (*options.cards < 0 || *options.cards > kMaxCards)) {
     throw wrong_lod(fmt::format("--cards cannot be {}", *options.cards), fmt::format("0 to {} cards", kMaxCards));
   }
@@ -86,7 +86,7 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     throw InputError(Diagnostic{.message = "--obstacles changes none of the files",
                                 .expected = "a file that ends in .glb, .obj or .ply"});
   }
-  const auto can_instance = [](const Format* format) { return format->can_instance; };
+  const auto can_instance = [](const FileFormat* format) { return format->can_instance; };
   if (options.instances() == GltfInstances::automatic) return;
   if (std::any_of(formats.begin(), formats.end(), can_instance)) return;
   throw InputError(
@@ -144,7 +144,7 @@ void grow_animated(const GrowOptions& options) {
 
 /// Returns the files of each level of detail. The first level has the requested files.
 std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
-                                                    const std::vector<const Format*>& formats, int lod) {
+                                                    const std::vector<const FileFormat*>& formats, int lod) {
   std::vector<std::vector<PlannedFile>> levels(static_cast<std::size_t>(lod) + 1);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
@@ -162,7 +162,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
 }
 
 /// Returns the files of a last level of crossed cards.
-std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const Format*>& formats) {
+std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const FileFormat*>& formats) {
   std::vector<PlannedFile> files;
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
@@ -211,7 +211,7 @@ std::vector<std::string> write_coarser(const Document& document, GrownDocument& 
 }
 
 std::string sizes_of(const GrownDocument& grown) {
-  const Counts counts = count(grown.plant, grown.meshes);
+  const PlantCounts counts = count(grown.plant, grown.meshes);
   std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
   if (grown.traces.step) {
     text = fmt::format("step {} of {}, {}", grown.traces.shown_step(), grown.traces.last_step, text);
@@ -222,7 +222,7 @@ std::string sizes_of(const GrownDocument& grown) {
 
 void grow(const GrowOptions& options, bool has_time) {
   // All faults of the command line and of the document are reported before any work.
-  std::vector<const Format*> formats;
+  std::vector<const FileFormat*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = film::checked_time(options.time);
   check_animated(options, has_time);

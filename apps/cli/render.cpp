@@ -55,7 +55,7 @@ struct RenderOptions {
   bool fingerprint = false;  // true: prints a fingerprint of the picture instead of drawing it
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
-  Detail detail;
+  MeshDetail detail;
   std::optional<int> cards;  // number of copies that the plant is shown as
   // File of each kind of truth; may be empty
   std::vector<std::string> truths = std::vector<std::string>(truth_formats().size());
@@ -163,8 +163,8 @@ StillOptions chosen_still(const RenderOptions& options, const OutputParameters& 
   return still;
 }
 
-View chosen_view(const RenderOptions& options, const Document& document) {
-  View view = camera_view(document.graph);
+CameraView chosen_view(const RenderOptions& options, const Document& document) {
+  CameraView view = camera_view(document.graph);
   if (options.view.empty()) return view;
   const auto [azimuth, altitude] =
       number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
@@ -208,7 +208,7 @@ class PictureTaker {
     const MeshScene last = moves && document_.at_time ? grown_.meshes : MeshScene();
     options_.view = from_free_side(grown_.meshes, options_.view);
     if (moves) options_.view = placed_view(grown_.meshes, options_.view, aspect());
-    const View view = options_.view;
+    const CameraView view = options_.view;
     std::size_t found = 0;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
       const Picture& picture = pictures[k];
@@ -238,7 +238,7 @@ class PictureTaker {
   const Document& now() const { return other_ ? *other_ : document_; }
 
   Image take(bool is_last) {
-    const Limits& limits = now().graph.limits;
+    const SizeLimits& limits = now().graph.limits;
     Progress& progress = terminal_.progress();
     if (is_last && !keeps_plant()) return take_last_picture(grown_, limits, now().scene, options_, progress);
     return take_picture(grown_, limits, now().scene, options_, progress);
@@ -248,7 +248,7 @@ class PictureTaker {
   bool keeps_plant() const { return !is_still_ || !shows_meshes_alone(options_) || chosen_.wants_truth(); }
 
   /// Returns the view from a side without obstacles. All pictures use this side, even if the camera turns.
-  View from_free_side(const MeshScene& plants, const View& view) {
+  CameraView from_free_side(const MeshScene& plants, const CameraView& view) {
     if (options_.still.transparent) return view;
     return view_past_obstacles(plants, now().scene.obstacles, view, aspect(), terminal_.progress());
   }

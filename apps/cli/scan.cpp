@@ -60,7 +60,7 @@ struct InstrumentFile {
 Value instrument_value(const std::string& given, const std::string& root, std::optional<InstrumentFile>& file) {
   if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
   require_within(root, given);
-  file = InstrumentFile{given, read_file(given, Limits().file_bytes)};
+  file = InstrumentFile{given, read_file(given, SizeLimits().file_bytes)};
   return parse_json_of(file->text, given);
 }
 
@@ -83,7 +83,7 @@ Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
       of_document.push_back(set);
       continue;
     }
-    const Override given = parse_override(set);
+    const ValueOverride given = parse_override(set);
     if (instrument.object() == nullptr) instrument = Value::Object{{"kind", instrument}};
     set_member(instrument, given.path.substr(kInstrumentPath.size()), given.value);
   }

@@ -81,7 +81,7 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
-  Image read(const Limits& limits) {
+  Image read(const SizeLimits& limits) {
     run([&] { jpeg_read_header(&jpeg_, TRUE); });
     Image image = empty_image(jpeg_.image_width, jpeg_.image_height, file_, limits);
     run([&] {
@@ -113,7 +113,7 @@ class JpegReader {
 
 }  // namespace
 
-Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_jpeg(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   return JpegReader(bytes, file).read(limits);
 }
 

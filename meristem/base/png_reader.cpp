@@ -73,7 +73,7 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  Image read(const Limits& limits) {
+  Image read(const SizeLimits& limits) {
     int passes = 1;
     run([&] {
       png_set_read_fn(png_, &source_, read_bytes);
@@ -112,7 +112,7 @@ class PngReader {
 
 }  // namespace
 
-Image parse_png(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_png(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   return PngReader(bytes, file).read(limits);
 }
 

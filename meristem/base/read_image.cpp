@@ -26,7 +26,7 @@ void throw_damaged(const std::string& file, std::string_view kind, std::string_v
   throw_image_error(file, fmt::format("the {} is damaged: {}", kind, reason), "a picture that other programs can open");
 }
 
-Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& file, const Limits& limits) {
+Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& file, const SizeLimits& limits) {
   if (width * height > limits.picture_pixels) {
     Diagnostic diagnostic = limit_diagnostic("pixels of a picture", static_cast<double>(width * height),
                                              limits.picture_pixels, "picture_pixels", "");
@@ -38,13 +38,13 @@ Image empty_image(std::uint64_t width, std::uint64_t height, const std::string& 
   return image;
 }
 
-Image parse_image(std::string_view bytes, const std::string& file, const Limits& limits) {
+Image parse_image(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   if (bytes.substr(0, kPngStart.size()) == kPngStart) return parse_png(bytes, file, limits);
   if (bytes.substr(0, kJpegStart.size()) == kJpegStart) return parse_jpeg(bytes, file, limits);
   throw_image_error(file, "this picture cannot be read", "a PNG or a JPEG file");
 }
 
-Image read_image(const std::string& path, const Limits& limits) {
+Image read_image(const std::string& path, const SizeLimits& limits) {
   return parse_image(read_file(path, limits.file_bytes), path, limits);
 }
 

@@ -54,7 +54,7 @@ std::string jpeg_bytes(const Image& image) {
   return bytes;
 }
 
-Diagnostic error_of(std::string_view bytes, const Limits& limits = {}) {
+Diagnostic error_of(std::string_view bytes, const SizeLimits& limits = {}) {
   try {
     parse_image(bytes, "bark.png", limits);
   } catch (const InputError& error) {
@@ -108,7 +108,7 @@ TEST(ReadImage, RefusesAPngWithAWrongChecksum) {
 }
 
 TEST(ReadImage, RefusesMorePixelsThanAllowedByTheHeaderAlone) {
-  Limits limits;
+  SizeLimits limits;
   limits.picture_pixels = 24 * 16 - 1;
   for (const std::string& bytes : {png_bytes(sample()), jpeg_bytes(sample())}) {
     EXPECT_NE(error_of(bytes, limits).message.find("pixels of a picture"), std::string::npos);

@@ -71,7 +71,7 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   const bool is_film = out.grows_in_time();
   std::vector<std::uint8_t> shed;
   if (tree.shed) {
-    shed = nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed"), &out.scene());
+    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &out.scene());
   }
   if (tree.shed && is_film) {
     let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);

@@ -29,8 +29,8 @@ struct Colonize : GrowingComponent {
   bool one_crown = false;                ///< true: one crown above the component's origin; false: one crown per root
   ColonizeParameters growth;             ///< growth parameters except the light response
   LightResponseParameters light;         ///< response to light
-  std::optional<Condition> shed;         ///< branches that are removed after growth
-  Surface surface;                       ///< surface of the stems
+  std::optional<SiteCondition> shed;     ///< branches that are removed after growth
+  SurfaceOptions surface;                ///< surface of the stems
   TrimMode trim = TrimMode::cut;         ///< effect of a body around its stems
 };
 

@@ -136,7 +136,7 @@ TEST(ColonizeComponent, LeavesStandAlongTwigsAndAtTips) {
   builder.link("tree", "leaf", LinkKind::branch, {{"count", 500}}).link("tree", "bud", LinkKind::leaf);
   const Plant plant = builder.grow();
   EXPECT_EQ(organs_of(plant, "leaf").size(), 500U);
-  const Axes axes(plant.stems.at(0).skeleton);
+  const SkeletonAxes axes(plant.stems.at(0).skeleton);
   EXPECT_EQ(organs_of(plant, "bud").size(), axes.count());
   std::size_t at_tip = 0;
   for (AxisIndex a = 0; a < axes.count(); ++a) {
@@ -312,7 +312,7 @@ TEST(ColonizeComponent, AFieldOfAWorldCarriesItsPoints) {
 std::vector<Diagnostic> warnings(const Value::Object& parameters) {
   const ComponentType type = colonize_component();
   const auto read = type.make_parameters();
-  ParameterReader reader({}, Limits());
+  ParameterReader reader({}, SizeLimits());
   reader.read_varying(type.parameters, read.get(), parameters, DocumentPath(DocumentPath(), "tree"));
   return reader.take_diagnostics();
 }

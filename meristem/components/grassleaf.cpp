@@ -263,8 +263,8 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
 }
 
 /// Returns the value of a formula. Throws if it is not finite or too large.
-double value_of(const std::optional<Formula>& formula, std::span<const double> names, RandomKey key, const Emitter& out,
-                const char* parameter) {
+double value_of(const std::optional<ParameterFormula>& formula, std::span<const double> names, RandomKey key,
+                const Emitter& out, const char* parameter) {
   const double value = formula->expression.evaluate(names, key);
   if (!(std::abs(value) <= kMaxRate)) {
     throw_at(out, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMaxRate));
@@ -279,7 +279,7 @@ class LifeRates {
 
   GrowthRates operator()(double lived, double visible) const {
     const std::array<double, 2> names{lived, visible};
-    const auto rate = [&](const std::optional<Formula>& formula, const char* parameter) {
+    const auto rate = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
       return formula ? value_of(formula, names, key_.child(parameter), out_, parameter) : 1.0;
     };
     return {rate(vary_.age, "vary.age"), rate(vary_.length, "vary.length"), rate(vary_.width, "vary.width"),
@@ -338,7 +338,7 @@ std::function<DVec3(double, double)> displacement(const Grassleaf& grass, const 
   if (!grass.f && !grass.g && !grass.h) return {};
   return [&grass, &out](double s, double u) {
     const std::array<double, 2> names{s, u};
-    const auto value = [&](const std::optional<Formula>& formula, const char* parameter) {
+    const auto value = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
       return formula ? value_of(formula, names, RandomKey(), out, parameter) : 0.0;
     };
     return DVec3(value(grass.f, "f"), value(grass.g, "g"), value(grass.h, "h"));

@@ -21,7 +21,7 @@ Skeleton straight_stem(const StemParameters& form, const Site& site) {
 /// Returns the bends of a stem caused by its branches. The branches have the positions of links without their own keys.
 /// These depend only on lengths, not on the stem's bends.
 std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emitter& out) {
-  Placement outward = tree.branching;
+  BranchPlacement outward = tree.branching;
   outward.angle = kPi / 2;
   outward.angle_tip.reset();
   outward.face.reset();
@@ -45,8 +45,8 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 MinimumCounts minimum_counts(const Tree& tree, const KnownMembers& known) {
   MinimumCounts counts{.children = 1};
   if (!known.varies(tree.stem.segments)) counts.nodes = tree.stem.segments + 1.0;
-  const Placement& own = tree.branching;
-  const Placement plain;
+  const BranchPlacement& own = tree.branching;
+  const BranchPlacement plain;
   counts.bears_along = tree.stem.length > 0 && !known.varies(tree.stem.length) && !known.varies(own) && !own.where &&
                        own.spread == plain.spread && own.size == plain.size && own.start == 0 && own.end == 1;
   return counts;

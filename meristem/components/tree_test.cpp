@@ -184,7 +184,7 @@ TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
   const Plant plant = builder.link("trunk", "twig", LinkKind::branch).grow();
   const Skeleton& tree = plant.stems.at(0).skeleton;
   // Straight pieces between bends of 30 degrees, each away from the twig at the bend.
-  const Axes axes(tree);
+  const SkeletonAxes axes(tree);
   std::vector<Vec3> directions;
   for (const NodeIndex node : axes.of(0).subspan(1)) {
     const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];

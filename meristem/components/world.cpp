@@ -23,7 +23,7 @@ const ParameterTable& avoid_table() {
 void expand(const World& world, const Site& site, Emitter& out) {
   Surroundings said = out.surroundings();
   const Directions above = world.off ? out.scene().directions() : out.directions();
-  const auto sense = [&](const Sense& there, const std::optional<WorldField>& form, const char* name) {
+  const auto sense = [&](const FieldSense& there, const std::optional<WorldField>& form, const char* name) {
     if (!form) return there;
     const FieldPlace place{.frame = site.frame,
                            .time = out.time(),

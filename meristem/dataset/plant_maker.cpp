@@ -73,7 +73,7 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
     if (has_meshes) complete_growth(document, grown, progress, options);
     if (!has_meshes) paint_plant(document, grown.plant, progress, options.cache);
   }
-  const Limits& limits = document.graph.limits;
+  const SizeLimits& limits = document.graph.limits;
   const MeasureOptions measures{.organ_light = has_any(plan.measures, &MeasureRow::needs_light)};
   StandMeasures stand = has_meshes
                             ? measure_plant(grown.plant, limits, grown.meshes, document.scene, measures, progress)
@@ -146,7 +146,7 @@ Document PlantMaker::document_of(const PlannedPlant& plant) const {
   ReadOptions options{.seed = plant.seed, .time = plan_.time, .store = &kept_->files, .models = folders_.models};
   for (const PathValues* values : std::initializer_list<const PathValues*>{&planned.set, &plan_.set, &plant.values}) {
     for (const auto& [path, value] : *values) {
-      std::erase_if(options.overrides, [&name = path](const Override& earlier) { return earlier.path == name; });
+      std::erase_if(options.overrides, [&name = path](const ValueOverride& earlier) { return earlier.path == name; });
       options.overrides.push_back({path, value, ""});
     }
   }

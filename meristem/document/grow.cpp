@@ -143,7 +143,7 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
   if (has_plantings(plant)) VariantPainter(progress).paint(plant.plantings);
 }
 
-MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
+MeshScene mesh_detail(const Document& document, const Plant& plant, const MeshDetail& detail, Progress& progress,
                       GrowthCache* cache) {
   return placing_errors(document,
                         [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail, cache); });

@@ -31,7 +31,7 @@ constexpr const char* kTwoTrees = R"j({
 
 Document read(const std::string& text, const std::vector<std::string>& overrides = {},
               const std::string& file = "test.json") {
-  std::vector<Override> parsed;
+  std::vector<ValueOverride> parsed;
   for (const std::string& each : overrides) parsed.push_back(parse_override(each));
   return read_document(text, file, builtin_components(), {.overrides = parsed});
 }

@@ -60,7 +60,7 @@ constexpr const char* kMarkers = R"j({
 })j";
 
 Document read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  std::vector<Override> parsed;
+  std::vector<ValueOverride> parsed;
   for (const std::string& each : overrides) parsed.push_back(parse_override(each));
   return read_document(text, "test.json", builtin_components(), {.overrides = parsed});
 }

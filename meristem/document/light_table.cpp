@@ -48,7 +48,7 @@ void check_positions(const SunParameters& sun, const DocumentPath& path, Paramet
 /// Returns the day of the year that a day or a date gives, or nothing.
 std::optional<double> day_of(const SunParameters& sun) {
   if (sun.day || sun.date.empty()) return sun.day;
-  const std::optional<Date> date = parse_date(sun.date);
+  const std::optional<CalendarDate> date = parse_date(sun.date);
   return date ? std::optional<double>(day_of_year(*date)) : std::nullopt;
 }
 

@@ -32,7 +32,7 @@ void check_recursions(const Value& components, const Graph& graph, std::vector<D
     const auto component = static_cast<ComponentIndex>(k);
     const auto& [id, given] = (*components.object())[k];
     if (given.find("recursion") == nullptr) continue;
-    const auto is_its = [component](const Structure::Recursion& recursion) { return recursion.head == component; };
+    const auto is_its = [component](const LinkStructure::Recursion& recursion) { return recursion.head == component; };
     if (std::ranges::any_of(graph.structure.recursions, is_its)) continue;
     report(diagnostics, fmt::format("components.{}.recursion", id),
            fmt::format("'recursion' has no meaning here: no link leads back to '{}'", id),

@@ -71,7 +71,7 @@ void spoil_records(GrownDocument& grown) {
 }
 
 /// Returns the error with which a format refuses a plant. The folder must be empty afterwards.
-std::string refusal(const Format& format, const GrownDocument& spoilt) {
+std::string refusal(const FileFormat& format, const GrownDocument& spoilt) {
   const TemporaryFolder folder;
   Progress progress;
   std::string refusal = "no error";
@@ -85,7 +85,7 @@ std::string refusal(const Format& format, const GrownDocument& spoilt) {
 }
 
 TEST(Finite, EveryFormatRefusesNumbersThatAreNotFinite) {
-  for (const Format& format : formats()) {
+  for (const FileFormat& format : formats()) {
     GrownDocument spoilt = grown();
     if (format.needs >= GrownPart::meshes) {
       mesh_of(part_of(spoilt, "leaf")).normals[0].y = kNan;
@@ -135,7 +135,7 @@ TEST(Finite, InstancesThatWouldBecomeInfiniteAreRefused) {
   MeshInstances& leaf = part_of(spoilt, "leaf");
   for (Vec3& position : mesh_of(leaf).positions) position *= 1e20F;
   leaf.frames[0].axes *= 1e20F;  // both are finite, but their product is not
-  for (const Format& format : formats()) {
+  for (const FileFormat& format : formats()) {
     if (format.needs < GrownPart::meshes || format.is_whole) continue;
     EXPECT_NE(refusal(format, spoilt).find("an instance of 'leaf' is not finite"), std::string::npos) << format.ending;
   }

@@ -40,7 +40,7 @@ void write_meshes(const Document& document, const GrownDocument& grown, const Fo
   write(with_obstacles(grown.meshes, document.scene.obstacles));
 }
 
-constexpr Format kFormats[] = {
+constexpr FileFormat kFormats[] = {
     {.ending = ".glb",
      .doc = "glTF 2.0 binary, for Blender, Godot, three.js and most others",
      .write =
@@ -130,7 +130,7 @@ constexpr Format kFormats[] = {
 
 std::vector<std::string> endings() {
   std::vector<std::string> known;
-  for (const Format& format : kFormats) known.emplace_back(format.ending);
+  for (const FileFormat& format : kFormats) known.emplace_back(format.ending);
   return known;
 }
 
@@ -159,36 +159,36 @@ Provenance provenance_of(const Document& document) {
           .sets = document.source.sets};
 }
 
-std::span<const Format> formats() { return kFormats; }
+std::span<const FileFormat> formats() { return kFormats; }
 
-std::string detail_path(const Format& format, const std::string& path, int level) {
+std::string detail_path(const FileFormat& format, const std::string& path, int level) {
   if (level == 0) return path;
   const std::size_t stem = path.size() - format.ending.size();
   return fmt::format("{}_lod{}{}", path.substr(0, stem), level, path.substr(stem));
 }
 
-std::string cards_path(const Format& format, const std::string& path) {
+std::string cards_path(const FileFormat& format, const std::string& path) {
   const std::size_t stem = path.size() - format.ending.size();
   return fmt::format("{}_cards{}", path.substr(0, stem), path.substr(stem));
 }
 
-GrownPart needed_part(std::span<const Format* const> formats) {
+GrownPart needed_part(std::span<const FileFormat* const> formats) {
   GrownPart part = GrownPart::plant;
-  for (const Format* format : formats) part = std::max(part, format->needs);
+  for (const FileFormat* format : formats) part = std::max(part, format->needs);
   return part;
 }
 
-TraceRequest needed_request(std::span<const Format* const> formats) {
+TraceRequest needed_request(std::span<const FileFormat* const> formats) {
   TraceRequest request;
-  for (const Format* format : formats) request = request | format->request;
+  for (const FileFormat* format : formats) request = request | format->request;
   return request;
 }
 
-const Format& format_of(const std::string& path) {
+const FileFormat& format_of(const std::string& path) {
   if (path == "-") return kFormats[0];
   const std::string name = lower_case(path.substr(path.find_last_of('/') + 1));
-  const Format* best = nullptr;
-  for (const Format& format : kFormats) {
+  const FileFormat* best = nullptr;
+  for (const FileFormat& format : kFormats) {
     if (name.ends_with(format.ending) && (best == nullptr || format.ending.size() > best->ending.size()))
       best = &format;
   }

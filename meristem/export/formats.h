@@ -25,7 +25,7 @@ struct FormatOptions {
 Provenance provenance_of(const Document& document);
 
 /// A file format to which a grown document can be written.
-struct Format {
+struct FileFormat {
   std::string_view ending;  ///< with its dot; may contain several dots
   std::string_view doc;     ///< description in one line
   /// Writes the file at `path`. Throws MachineError and Cancelled, and InputError for content that the format cannot
@@ -49,22 +49,22 @@ struct Format {
 
 /// Returns the path of a level of detail for the file `path` in that format: `oak_lod2.glb` for `oak.glb`. Returns
 /// `path` itself for level 0.
-std::string detail_path(const Format& format, const std::string& path, int level);
+std::string detail_path(const FileFormat& format, const std::string& path, int level);
 
 /// Returns the path of the plant's crossed cards for the file `path` in that format: `oak_cards.glb` for `oak.glb`.
-std::string cards_path(const Format& format, const std::string& path);
+std::string cards_path(const FileFormat& format, const std::string& path);
 
 /// Returns all formats, the default first.
-std::span<const Format> formats();
+std::span<const FileFormat> formats();
 
 /// Returns the part of a grown document that files of all these formats need.
-GrownPart needed_part(std::span<const Format* const> formats);
+GrownPart needed_part(std::span<const FileFormat* const> formats);
 /// Returns the parts of growth that must be recorded for files of all these formats.
-TraceRequest needed_request(std::span<const Format* const> formats);
+TraceRequest needed_request(std::span<const FileFormat* const> formats);
 
 /// Returns the format of a path by its ending. The longest matching ending counts, and capital letters are equal to
 /// small ones. "-" is standard output in the default format. Throws InputError with the known endings and the nearest
 /// one.
-const Format& format_of(const std::string& path);
+const FileFormat& format_of(const std::string& path);
 
 }  // namespace meristem

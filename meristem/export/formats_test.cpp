@@ -18,7 +18,7 @@ Diagnostic refusal_of(const std::string& path) {
 }
 
 TEST(Formats, EveryEndingNamesItsFormat) {
-  for (const Format& format : formats()) {
+  for (const FileFormat& format : formats()) {
     EXPECT_EQ(format_of("a.b/my oak" + std::string(format.ending)).ending, format.ending);
   }
 }
@@ -38,10 +38,10 @@ TEST(Formats, LevelsOfDetailStandBesideTheFile) {
 }
 
 TEST(Formats, FilesNeedWhatOneOfThemNeeds) {
-  const std::vector<const Format*> tables{&format_of("a.csv"), &format_of("a.points.csv")};
+  const std::vector<const FileFormat*> tables{&format_of("a.csv"), &format_of("a.points.csv")};
   EXPECT_EQ(needed_part(tables), GrownPart::plant);
   EXPECT_TRUE(needed_request(tables).has(TracePart::points));
-  const std::vector<const Format*> meshes{&format_of("a.csv"), &format_of("a.glb")};
+  const std::vector<const FileFormat*> meshes{&format_of("a.csv"), &format_of("a.glb")};
   EXPECT_EQ(needed_part(meshes), GrownPart::textures);
   EXPECT_FALSE(needed_request(meshes).any());
   EXPECT_EQ(needed_part({}), GrownPart::plant);
@@ -50,7 +50,7 @@ TEST(Formats, FilesNeedWhatOneOfThemNeeds) {
 TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
   const Diagnostic error = refusal_of("oak.gbl");
   EXPECT_EQ(error.message, "'.gbl' is not a format that can be written");
-  for (const Format& format : formats()) EXPECT_NE(error.expected.find(format.ending), std::string::npos);
+  for (const FileFormat& format : formats()) EXPECT_NE(error.expected.find(format.ending), std::string::npos);
   EXPECT_EQ(error.nearest, ".glb");
   EXPECT_EQ(refusal_of("oak.skeleton.pyl").nearest, ".skeleton.ply");
   EXPECT_EQ(refusal_of("my.oak.ojb").nearest, ".obj");

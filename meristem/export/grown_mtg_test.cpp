@@ -23,7 +23,7 @@ std::string written(const Plant& plant) {
       testing::TempDir() + "grown_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".mtg";
   Progress progress;
   write_skeleton_mtg(plant, {}, path, {}, progress);
-  std::string text = read_file(path, Limits{}.file_bytes);
+  std::string text = read_file(path, SizeLimits{}.file_bytes);
   std::filesystem::remove(path);
   return text;
 }

@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Throws InputError if the format of the file's ending cannot store an animation (Format::can_animate), and for
+/// Throws InputError if the format of the file's ending cannot store an animation (FileFormat::can_animate), and for
 /// standard output. Call this before growth.
 void check_moving_file(const std::string& path);
 

@@ -36,7 +36,7 @@ void check_output(const std::string& path, std::span<const std::string> inputs) 
 }
 
 void check_grown_output(const Document& document, const std::string& path) {
-  const Format& format = format_of(path);
+  const FileFormat& format = format_of(path);
   const std::vector<std::string> inputs = input_files(document);
   check_output(path, inputs);
   if (format.companions == nullptr) return;

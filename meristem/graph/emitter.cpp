@@ -72,7 +72,7 @@ const Directions& Emitter::directions() const {
   const bool is_said = surroundings_ != nullptr && surroundings_->directions != nullptr;
   return is_said ? *surroundings_->directions : context_->directions;
 }
-const Limits& Emitter::limits() const { return context_->limits; }
+const SizeLimits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
 double Emitter::time() const { return site_.clock.at(context_->time); }
@@ -366,7 +366,7 @@ GrowingStem growing_stem(const Skeleton& whole, double step, double steps_per_se
 /// the rest with the whole skeleton, so that later calls can use the nodes of the whole. The stem gets a key of its
 /// own, from its number in the instance. If the instance is a plant and the stem has several roots, each root becomes a
 /// plant. If `place` moves the instance, stores a moved copy of the skeleton, which is the visible one.
-void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim,
+void Emitter::stem(Skeleton skeleton, const SurfaceOptions& surface, const BranchPlacement* branching, TrimMode trim,
                    double pipe_exponent) {
   count_nodes(skeleton.node_count());
   std::shared_ptr<const GrowingStem> growing;
@@ -380,7 +380,7 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   if (branching == nullptr) {
     branching_ = nullptr;
   } else if (branching_ == nullptr || !(*branching_ == *branching)) {
-    branching_ = std::make_shared<const Placement>(*branching);
+    branching_ = std::make_shared<const BranchPlacement>(*branching);
   }
   EmittedStem& stem =
       stems.emplace_back(EmittedStem{std::move(skeleton), shared_surface(surface), branching_, site_, visible_, tint_});
@@ -396,9 +396,9 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
 }
 
 /// Returns a surface with its crown in world space. Stems with equal surfaces share it.
-std::shared_ptr<const Surface> Emitter::shared_surface(Surface surface) {
+std::shared_ptr<const SurfaceOptions> Emitter::shared_surface(SurfaceOptions surface) {
   if (surface.crown) surface.crown->scale(glm::length(site_.frame.heading()));
-  if (surface_ == nullptr || !(*surface_ == surface)) surface_ = std::make_shared<const Surface>(surface);
+  if (surface_ == nullptr || !(*surface_ == surface)) surface_ = std::make_shared<const SurfaceOptions>(surface);
   return surface_;
 }
 
@@ -557,7 +557,7 @@ void Emitter::expect_children(std::uint64_t count) {
   if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
 
-std::uint32_t Emitter::expect_parts(const Count& count) {
+std::uint32_t Emitter::expect_parts(const PartCount& count) {
   parts_ = &count;
   expect_children(count.parts());
   return count.parts();
@@ -565,7 +565,7 @@ std::uint32_t Emitter::expect_parts(const Count& count) {
 
 bool Emitter::begin_clock(double delay, double speed) {
   const double start = site_.appeared + delay;
-  Clock own{.start = site_.clock.when(start), .speed = site_.clock.speed * speed, .is_local = true};
+  InstanceClock own{.start = site_.clock.when(start), .speed = site_.clock.speed * speed, .is_local = true};
   const bool has_started = time() >= start;
   site_.clock = own;
   site_.appeared = 0;

@@ -39,10 +39,10 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 
 /// A stem, with the facts that its children need.
 struct EmittedStem {
-  Skeleton skeleton;                           ///< the grown skeleton, world space
-  std::shared_ptr<const Surface> surface;      ///< surface options, never null
-  std::shared_ptr<const Placement> branching;  ///< placement of its branches, for keys that links do not give; may be
-                                               ///< null
+  Skeleton skeleton;                                 ///< the grown skeleton, world space
+  std::shared_ptr<const SurfaceOptions> surface;     ///< surface options, never null
+  std::shared_ptr<const BranchPlacement> branching;  ///< placement of its branches, for keys that links do not give;
+                                                     ///< may be null
   Site site;                                ///< site of the instance that made the stem, with a key of the stem's own
   bool visible = true;                      ///< false: only its children are visible
   Vec3 tint{1};                             ///< linear factors on the material's colour
@@ -171,7 +171,7 @@ class Emitter : private Emitted {
   /// surroundings trims the skeleton by `trim`; later calls use the nodes of the whole skeleton. If the document's
   /// plants grow over time and the type supports it, the stem is shown at its clock's time, with a thickness by
   /// `pipe_exponent`.
-  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
+  void stem(Skeleton skeleton, const SurfaceOptions& surface, const BranchPlacement* branching = nullptr,
             TrimMode trim = TrimMode::cut, double pipe_exponent = 2);
   /// Declares that the instance's stems have already grown up to its clock's time. The time then cuts nothing off them.
   void stands_as_grown() { stands_as_grown_ = true; }
@@ -212,7 +212,7 @@ class Emitter : private Emitted {
   /// Like `expect_children`, for a count of the instance's parameters, which may have a fraction. The site of the last
   /// child is scaled by the fractional part. Returns the number of sites to emit. If the count has keys, each child
   /// appears when the count reaches its number.
-  std::uint32_t expect_parts(const Count& count);
+  std::uint32_t expect_parts(const PartCount& count);
   /// Begins a clock for all descendants of the instance. It starts `delay` seconds after the instance appears, by the
   /// instance's own clock, and runs at `speed`. Returns true if it has started.
   bool begin_clock(double delay, double speed);
@@ -248,7 +248,7 @@ class Emitter : private Emitted {
   /// them to bend.
   const Directions& directions() const;
   /// Returns the limits of the document.
-  const Limits& limits() const;
+  const SizeLimits& limits() const;
   const std::string& component() const;  ///< id, for errors
   /// Returns true if a number or list of the component's struct differs from instance to instance. `offset` is its
   /// position in the struct, bytes.
@@ -262,8 +262,8 @@ class Emitter : private Emitted {
   RandomKey component_key() const;
   /// Returns the grown skeleton of this instance. Only for components that grow, and once per instance.
   Skeleton take_grown();
-  /// Returns the growth of the instance that this one shows (Showing) on the same parent. Returns null if the component
-  /// does not use that growth (ComponentDefinition::watches_growth).
+  /// Returns the growth of the instance that this one shows (ShownComponent) on the same parent. Returns null if the
+  /// component does not use that growth (ComponentDefinition::watches_growth).
   const GrowthTrace* watched_growth() const { return watched_.get(); }
 
   // For the graph.
@@ -297,7 +297,7 @@ class Emitter : private Emitted {
   std::uint32_t number_of_individual();
   std::uint64_t next_name() { return site_.key.child("organ").child(organs_of_instance_++).bits(); }
   void add_site(SiteList& sites, const Frame& frame, float u, float length, float radius);
-  std::shared_ptr<const Surface> shared_surface(Surface surface);
+  std::shared_ptr<const SurfaceOptions> shared_surface(SurfaceOptions surface);
   void count_sites();
   [[noreturn]] void throw_too_many_children() const;
   void count_nodes(std::uint64_t more);
@@ -323,16 +323,17 @@ class Emitter : private Emitted {
   std::uint32_t organs_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;           // number of sites that are not yet in the context's count
   const Varying* keyed_parts_ = nullptr;  // keys of the present instance's count of parts, or null
-  const Count* parts_ = nullptr;          // the present instance's count of parts, if it has announced one
+  const PartCount* parts_ = nullptr;      // the present instance's count of parts, if it has announced one
   std::uint64_t expected_ = 0;            // the present instance's number of children, if it has announced it
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
   std::shared_ptr<const GrowthTrace> watched_;
-  std::shared_ptr<const Placement>
-      branching_;                           // placement of the stem emitted last, since most stems have an equal one
-  std::shared_ptr<const Surface> surface_;  // surface of the stem emitted last, since most stems have an equal one
+  std::shared_ptr<const BranchPlacement>
+      branching_;  // placement of the stem emitted last, since most stems have an equal one
+  std::shared_ptr<const SurfaceOptions>
+      surface_;  // surface of the stem emitted last, since most stems have an equal one
 };
 
 }  // namespace meristem

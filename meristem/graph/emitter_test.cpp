@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 struct Probe : ComponentBase {
-  Count parts{2.5};
+  PartCount parts{2.5};
 };
 
 using Expansion = std::function<void(const Probe& probe, const Site& site, Emitter& out)>;
@@ -309,7 +309,7 @@ TEST(Emitter, BranchChildrenStandAtBranchSitesAndOthersAtChildSites) {
 
 TEST(Emitter, AStemThatIsWholeKeepsItsLengthAndFrames) {
   const Plant plant = grow(builder_of("stems"), [](const Probe&, const Site& site, Emitter& out) {
-    out.stem(straight_stem(site), Surface{});
+    out.stem(straight_stem(site), SurfaceOptions{});
     EXPECT_EQ(out.length_left(), 1);
     for (const NodeIndex node : {NodeIndex{2}, kNoNode}) {
       const auto frame = out.on_stem_left(node, shifted(3));
@@ -327,7 +327,7 @@ TEST(Emitter, AnUnseenStemBearsChildrenAndIsNotInThePlant) {
     builder.component("view", "camera").component("probe", "stems").component("seer", "seer");
     builder.link("view", "probe").link("probe", "seer", LinkKind::branch, {{"count", 4}});
     const Plant plant = grow(builder, [&](const Probe&, const Site& site, Emitter& out) {
-      is_seen ? out.stem(straight_stem(site), Surface{}) : out.unseen_stem(straight_stem(site));
+      is_seen ? out.stem(straight_stem(site), SurfaceOptions{}) : out.unseen_stem(straight_stem(site));
     });
     EXPECT_EQ(plant.stems.size(), is_seen ? 1U : 0U);
     std::vector<float> heights;
@@ -344,7 +344,7 @@ TEST(Emitter, TooManyNodesOfStemsAreAnInputError) {
   builder.node_limit(5);
   const auto errors = errors_of([&] {
     grow(builder, [](const Probe&, const Site& site, Emitter& out) {
-      for (int k = 0; k < 2; ++k) out.stem(straight_stem(site), Surface{});
+      for (int k = 0; k < 2; ++k) out.stem(straight_stem(site), SurfaceOptions{});
     });
   });
   ASSERT_EQ(errors.size(), 1U);

@@ -13,7 +13,7 @@ struct ImportPose {
   enum class Up { y, z };
   Up up = Up::y;       ///< up axis of the file
   double scale = 1;    ///< metres per unit of the file
-  DVec3 rotate{0};     ///< radians, as of Transform
+  DVec3 rotate{0};     ///< radians, as of InstanceTransform
   DVec3 translate{0};  ///< metres, after scale and rotation
 
   /// Returns the pose as a frame, from the file's coordinates to the document's. With z up, the file's y points north,

@@ -38,7 +38,7 @@ class KnownMembers {
     return find(&member, sizeof(Member)) != nullptr;
   }
   /// Returns the minimum number of parts of a count, or 0 if unknown.
-  double minimum(const Count& count) const { return minimum(find(&count, sizeof(Count)), count.value); }
+  double minimum(const PartCount& count) const { return minimum(find(&count, sizeof(PartCount)), count.value); }
   /// Returns the minimum of a whole number, or 0 if unknown.
   template <class Whole>
   double minimum(const Whole& number) const {

@@ -30,9 +30,9 @@ class Analysis {
   }
 
   /// Returns what has been found so far.
-  Structure take() { return std::move(structure_); }
+  LinkStructure take() { return std::move(structure_); }
 
-  Structure run() {
+  LinkStructure run() {
     const std::size_t errors_before = diagnostics_.size();
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       check(k);
@@ -135,7 +135,7 @@ class Analysis {
   void close_recursion(LinkIndex link, Iterator path_begin, Iterator path_end) {
     const ComponentIndex head = graph_.links[link].to;
     const auto head_at = std::find_if(path_begin, path_end, [&](const auto& v) { return v.component == head; });
-    Structure::Recursion recursion{.head = head};
+    LinkStructure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
       add_error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
@@ -145,7 +145,7 @@ class Analysis {
     structure_.recursions.push_back(std::move(recursion));
   }
 
-  std::string cycle_text(const Structure::Recursion& recursion) const {
+  std::string cycle_text(const LinkStructure::Recursion& recursion) const {
     std::string text;
     for (std::size_t k = 0; k < recursion.members.size(); ++k) {
       if (k == kShownMembers) return text + "... > " + id(recursion.members.back()) + " > " + id(recursion.head);
@@ -156,9 +156,9 @@ class Analysis {
 
   /// Checks that recursions lie apart or within one another, and numbers their levels from the outermost.
   void order_recursions() {
-    std::vector<Structure::Recursion>& recursions = structure_.recursions;
+    std::vector<LinkStructure::Recursion>& recursions = structure_.recursions;
     std::vector<std::vector<bool>> members;
-    for (const Structure::Recursion& recursion : recursions) members.push_back(members_of(recursion));
+    for (const LinkStructure::Recursion& recursion : recursions) members.push_back(members_of(recursion));
     for (std::size_t a = 0; a < recursions.size(); ++a) {
       for (std::size_t b = 0; b < recursions.size(); ++b) {
         if (cross(recursions[a], members[a], recursions[b], members[b])) {
@@ -173,8 +173,8 @@ class Analysis {
       incoming_ = make_flat_lists(graph_.components.size(), graph_.links.size(),
                                   [&](std::size_t k) { return graph_.links[k].to; });
     }
-    for (const Structure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
-    for (Structure::Recursion& inner : recursions) {
+    for (const LinkStructure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
+    for (LinkStructure::Recursion& inner : recursions) {
       std::set<ComponentIndex> outer_heads;
       for (std::size_t a = 0; a < recursions.size(); ++a) {
         const ComponentIndex head = recursions[a].head;
@@ -197,13 +197,13 @@ class Analysis {
   }
 
   /// Returns true if b begins on a's way below its head, follows that way for a while, and ends beyond it.
-  static bool cross(const Structure::Recursion& a, const std::vector<bool>& in_a, const Structure::Recursion& b,
+  static bool cross(const LinkStructure::Recursion& a, const std::vector<bool>& in_a, const LinkStructure::Recursion& b,
                     const std::vector<bool>& in_b) {
     const ComponentIndex a_tail = a.members.back();
     return b.head != a.head && b.head != a_tail && in_a[b.head] && in_b[a_tail] && !in_a[b.members.back()];
   }
 
-  std::vector<bool> members_of(const Structure::Recursion& recursion) const {
+  std::vector<bool> members_of(const LinkStructure::Recursion& recursion) const {
     std::vector<bool> inside(graph_.components.size());
     for (const ComponentIndex member : recursion.members) inside[member] = true;
     return inside;
@@ -211,7 +211,7 @@ class Analysis {
 
   /// Returns all components below the head from which the recursion's last member can be reached without passing the
   /// head.
-  std::vector<bool> body(const Structure::Recursion& recursion) const {
+  std::vector<bool> body(const LinkStructure::Recursion& recursion) const {
     const Span below = spans_[recursion.head];
     std::vector<bool> inside(graph_.components.size());
     std::vector<ComponentIndex> open{recursion.members.back()};
@@ -241,7 +241,7 @@ class Analysis {
   const Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   const Progress* progress_;
-  Structure structure_;
+  LinkStructure structure_;
   FlatLists incoming_;       // links by component; only if there are recursions
   std::vector<Span> spans_;  // by component
   std::size_t errors_ = 0;

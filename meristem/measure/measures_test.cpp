@@ -347,7 +347,7 @@ TEST(Measures, PlacedPlantsAreMeasuredAsTheirCopies) {
 
 TEST(Measures, SkeletonsNeedNoRoomForMeshes) {
   const Plant plant = placed_trees();
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = limits.mesh_bytes = 1;
   Progress progress;
   const StandMeasures stand = measure_plant(plant, limits, {}, {}, progress);

@@ -11,7 +11,7 @@ namespace meristem {
 
 /// Returns the Strahler number of every node. Tips have 1. A node before a fork has the largest number of its children,
 /// plus one if two or more children share this number.
-std::vector<std::uint8_t> strahler_numbers(const Skeleton& skeleton, const Children& children);
+std::vector<std::uint8_t> strahler_numbers(const Skeleton& skeleton, const NodeChildren& children);
 
 /// Returns the number of streams of each Strahler number, from 1. A stream is a run of nodes with one number and is
 /// counted where it begins.

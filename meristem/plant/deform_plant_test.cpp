@@ -60,7 +60,7 @@ Plant plant_with(std::size_t organs, float scale = 1) {
   return plant;
 }
 
-void deform_all(Plant& plant, const Pointer& by, const Limits& limits = {}) {
+void deform_all(Plant& plant, const Pointer& by, const SizeLimits& limits = {}) {
   const DeformedOrgans row{0, plant.organs.size(), by};
   deform_organs(plant, std::span(&row, 1), 0, limits, Progress());
 }
@@ -211,7 +211,7 @@ TEST(DeformOrgans, HaveTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(DeformOrgans, StopAtTheLimitOfBytes) {
   Plant plant = plant_with(1000);
-  Limits limits;
+  SizeLimits limits;
   limits.mesh_bytes = 100'000;
   try {
     deform_all(plant, bend_on(DeformedPart::geometry), limits);

@@ -98,7 +98,7 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
   const Skeleton& tree = joined[0].skeleton;
   check_skeleton(tree);
   float last = -1;
-  const Axes axes(tree);
+  const SkeletonAxes axes(tree);
   for (const NodeIndex node : axes.of(0)) {
     EXPECT_GE(tree.position[node].y, last);
     last = tree.position[node].y;

@@ -74,7 +74,7 @@ void Skeleton::append(Skeleton more) {
   operations.append(more.operations);
 }
 
-Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
+NodeChildren::NodeChildren(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
   const std::size_t nodes = skeleton.node_count();
   // Count the children of each node, one position further on.
   for (const NodeIndex parent : skeleton.parent) {
@@ -90,7 +90,7 @@ Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 
   }
 }
 
-Axes::Axes(const Skeleton& skeleton) {
+SkeletonAxes::SkeletonAxes(const Skeleton& skeleton) {
   const std::size_t axes = skeleton.axis_count();
   first.assign(axes + 1, 0);
   for (const AxisIndex axis : skeleton.axis) ++first[axis + 1];

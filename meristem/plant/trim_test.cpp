@@ -72,7 +72,7 @@ TEST(TrimSkeleton, WhatGrowsBeyondIsGone) {
   const TrimmedSkeleton trimmed = trim_skeleton(ladder(), below(2.5F), TrimMode::cut);
   // The stem up to 2.5 m, and two branches with two nodes each.
   EXPECT_EQ(trimmed.skeleton.node_count(), 4U + 4U);
-  EXPECT_EQ(Axes(trimmed.skeleton).count(), 3U);
+  EXPECT_EQ(SkeletonAxes(trimmed.skeleton).count(), 3U);
 }
 
 TEST(TrimSkeleton, AStemThatFitsHasItsTaperOverTheLengthThatItHas) {

@@ -90,7 +90,7 @@ py::object components_of_organs(const PlantPointer& plant) {
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
-const Limits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
+const SizeLimits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
 
 /// Returns the numbers of the organs' trees, -1 for organs that belong to no single tree.
 py::object trees_in_python(const PlantPointer& plant) {
@@ -283,7 +283,7 @@ py::dict table_of(const PlantInPython& plant) {
 void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int cards,
           int threads, const py::object& progress) {
   const std::string target = file_of(path);
-  const Format& format = format_of(target);
+  const FileFormat& format = format_of(target);
   if ((instanced || nodes) && !format.can_instance) throw py::value_error("only .glb can be instanced");
   if (instanced && nodes) throw py::value_error("leaves are instanced or nodes, not both");
   const FormatOptions options{.instances = instanced ? GltfInstances::rows
@@ -362,7 +362,7 @@ PictureOptions planned_picture(const PlantPointer& plant, const std::optional<st
   picture.still.transparent = transparent;
   check_still_options(picture.still);
   if (view) {
-    const std::optional<View> seen = seen_from(picture.view, view->first, view->second);
+    const std::optional<CameraView> seen = seen_from(picture.view, view->first, view->second);
     if (!seen) throw py::value_error(fmt::format("view must be {}", kKnownSides));
     picture.view = *seen;
   }
@@ -474,7 +474,7 @@ Columns are read-only arrays over the plant's own memory, one entry per organ.
           "part_of_axis",
           [](const Stem& s) {
             if (!s.part_of_axis.empty()) return array_of(s.part_of_axis);
-            return array_of(std::vector<std::uint32_t>(Axes(s.skeleton).count()));
+            return array_of(std::vector<std::uint32_t>(SkeletonAxes(s.skeleton).count()));
           },
           "(axes,) uint32: the index in `parts` of each axis.")
       .def("__repr__", [](const Stem& s) {
@@ -487,7 +487,7 @@ Columns are read-only arrays over the plant's own memory, one entry per organ.
 
 std::string repr(const PlantInPython& plant) {
   const MeshScene* const meshes = plant.present_meshes();
-  const Counts counts = count(plant.unexpanded(), meshes != nullptr ? *meshes : MeshScene());
+  const PlantCounts counts = count(plant.unexpanded(), meshes != nullptr ? *meshes : MeshScene());
   std::string text = fmt::format("<meristem.Plant '{}': {} nodes, {} organs", plant.origin->document.name, counts.nodes,
                                  counts.organs);
   if (meshes != nullptr) text += fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);

@@ -60,8 +60,8 @@ int main() {
   std::printf("%zu nodes, the farthest tip %.2f m from the root\n", skeleton.node_count(),
               *std::max_element(way.begin(), way.end()));
   skeleton.extra["way"] = std::move(way);
-  meristem::write_skeleton_csv(plant, meristem::Limits(), "skeleton.csv", progress);
+  meristem::write_skeleton_csv(plant, meristem::SizeLimits(), "skeleton.csv", progress);
 
   plant.materials.emplace_back().name = "bark";
-  meristem::write_glb(meristem::make_mesh_scene(plant, meristem::Limits(), progress), "skeleton.glb", {}, progress);
+  meristem::write_glb(meristem::make_mesh_scene(plant, meristem::SizeLimits(), progress), "skeleton.glb", {}, progress);
 }

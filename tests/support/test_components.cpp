@@ -102,7 +102,7 @@ ComponentType pole() {
                                 static_cast<float>(k));
               skeleton.radius.back() = 0.01F;
             }
-            out.stem(std::move(skeleton), Surface{});
+            out.stem(std::move(skeleton), SurfaceOptions{});
           },
   });
 }
@@ -139,7 +139,7 @@ class SproutTrace final : public GrowthTrace {
 };
 
 /// Counts the sprouts of a stand.
-class SproutCount final : public Commons {
+class SproutCount final : public StandCommons {
  public:
   int number = 0;
 
@@ -183,7 +183,7 @@ ComponentType sprout() {
           Table<Sprout>("a sprout", "Grows a stem.")
               .number("height", &Sprout::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Height if it is alone.")
               .boolean("watches", &Sprout::watches, "True: shows the growth of another component."),
-      .expand = [](const Sprout&, const Site&, Emitter& out) { out.stem(out.take_grown(), Surface{}); },
+      .expand = [](const Sprout&, const Site&, Emitter& out) { out.stem(out.take_grown(), SurfaceOptions{}); },
       .grow = [](const Sprout& sprout, const Site&, const GrowContext& context) -> std::unique_ptr<Grower> {
         return std::make_unique<SproutGrower>(sprout.height, context);
       },

@@ -90,13 +90,13 @@ const ParameterTable& resource_table() {
 
 const ParameterTable& shedding_table() {
   static const ParameterTable table =
-      Table<Shedding>("shedding", "Shedding of shoots for lack of light or resource.")
-          .number("below", &Shedding::below, {.min = 0, .max = 1000},
+      Table<BranchShedding>("shedding", "Shedding of shoots for lack of light or resource.")
+          .number("below", &BranchShedding::below, {.min = 0, .max = 1000},
                   "Mean light per metamer below which a shoot is shed; raised, more bare stem; 0 sheds none.")
-          .number("resource", &Shedding::resource, {.min = 0, .max = 1000, .usual = {0, 1}},
+          .number("resource", &BranchShedding::resource, {.min = 0, .max = 1000, .usual = {0, 1}},
                   "Resource per metamer below which a shoot is shed; raised, shoots that their tree starves are shed "
                   "sooner; 0 sheds none.")
-          .integer("after", &Shedding::after, {.min = 0, .max = 65535},
+          .integer("after", &BranchShedding::after, {.min = 0, .max = 65535},
                    "Number of iterations that a shoot must have lived before it can be shed.")
           .only_where({{"below"}, {"resource"}}, {"after"});
   return table;
@@ -134,12 +134,12 @@ const ParameterTable& water_shoots_table() {
 
 const ParameterTable& sag_table() {
   static const ParameterTable table =
-      Table<Sag>("a sag", "How branches bend under their weight.")
-          .number("stiffness", &Sag::stiffness, {.min = 0.001, .max = 1000, .usual = {0.5, 20}},
+      Table<BranchSag>("a sag", "How branches bend under their weight.")
+          .number("stiffness", &BranchSag::stiffness, {.min = 0.001, .max = 1000, .usual = {0.5, 20}},
                   "Modulus of elasticity in gigapascals, 4 to 12 in green wood; lowered, branches hang more.")
-          .number("density", &Sag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
+          .number("density", &BranchSag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
                   "Density of green wood in kilograms per cubic metre; raised, branches hang more.")
-          .number("leaf_mass", &Sag::leaf_mass, {.min = 0, .max = 100},
+          .number("leaf_mass", &BranchSag::leaf_mass, {.min = 0, .max = 100},
                   "Mass of leaves in kilograms per metamer of the last iteration; raised, shoots hang more.");
   return table;
 }

@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// The parameter table of Surface, for every component that makes stems.
+/// The parameter table of SurfaceOptions, for every component that makes stems.
 const ParameterTable& surface_table();
 
 /// Returns the names of TrimMode in the order of the enum, for every component that makes stems.

@@ -145,7 +145,7 @@ std::string svg_of(const Drawing& drawing, const std::string& title) {
 
 /// Returns the length of each component's longest path from the root, without links back.
 std::vector<std::uint32_t> levels_of(const Graph& graph) {
-  const Structure& structure = graph.structure;
+  const LinkStructure& structure = graph.structure;
   std::vector<std::uint32_t> waits(graph.components.size(), 0), level(graph.components.size(), 0);
   const auto leads_on = [&](LinkIndex link) { return structure.recursion_of_link[link] == kNoIndex; };
   for (LinkIndex k = 0; k < graph.links.size(); ++k) waits[graph.links[k].to] += leads_on(k) ? 1 : 0;
@@ -165,7 +165,7 @@ std::vector<std::uint32_t> levels_of(const Graph& graph) {
 
 /// Returns true if the link is on the path of a recursion.
 bool is_within_recursion(const Graph& graph, const Link& link) {
-  return std::ranges::any_of(graph.structure.recursions, [&](const Structure::Recursion& recursion) {
+  return std::ranges::any_of(graph.structure.recursions, [&](const LinkStructure::Recursion& recursion) {
     const auto at = std::ranges::find(recursion.members, link.from);
     return at != recursion.members.end() && at + 1 != recursion.members.end() && *(at + 1) == link.to;
   });
@@ -264,7 +264,7 @@ std::string draw_graph(const Graph& graph, const DrawingOptions& options) {
 }
 
 std::string draw_instance_tree(const Graph& graph, const InstanceTree& tree) {
-  const Structure& structure = graph.structure;
+  const LinkStructure& structure = graph.structure;
   Drawing drawing;
   // The tree is ordered level by level. Siblings are drawn in the order of their links, which is the order of their
   // numbers.

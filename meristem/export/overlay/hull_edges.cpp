@@ -83,7 +83,7 @@ std::vector<Mesh> crown_hulls(const Plant& plant, const Progress& progress) {
     unforked[stem.individual()].push_back(&stem);
     for (const Skeleton& tree : split_trees(stem.skeleton)) {
       progress.check();
-      Mesh hull = measure_form(tree, Children(tree), &progress).crown_hull;
+      Mesh hull = measure_form(tree, NodeChildren(tree), &progress).crown_hull;
       if (hull.triangles.empty()) continue;
       forks[stem.individual()] = true;
       hulls.push_back(std::move(hull));

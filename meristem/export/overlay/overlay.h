@@ -106,7 +106,7 @@ struct OverlaySource {
   const Plant& plant;          ///< the plant that is shown
   const GrowthTraces& traces;  ///< recorded with request_for_overlays() or more
   const Scene& scene;          ///< light and obstacles around the plant
-  const Limits& limits;        ///< limits of the document of the plant
+  const SizeLimits& limits;    ///< limits of the document of the plant
   Box bounds;                  ///< box around all visible parts of the plant
   Vec3 right{1, 0, 0};         ///< unit vector on the ground along the scale bar
 };

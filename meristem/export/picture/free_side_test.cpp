@@ -28,7 +28,7 @@ double seen_share(const Document& document) {
   const GrownDocument grown = grow_document(document, progress);
   const auto pixels = [&](const Scene& scene) {
     const TruthOptions size{.width = 100, .height = 100};
-    const Truth truth = see_truth(grown, document.graph.limits, scene, View(), size, progress);
+    const PictureTruth truth = see_truth(grown, document.graph.limits, scene, CameraView(), size, progress);
     const auto& number = truth.mask(TruthLevel::organ).number;
     return static_cast<double>(number.size()) - static_cast<double>(std::ranges::count(number, 0U));
   };
@@ -54,25 +54,26 @@ TEST(FreeSide, PlantsAreSeenFromAboveInAYard) {
   EXPECT_GT(seen_share(ball_among(fmt::format("{}, {}, {}, {}", kSouth, kEast, kNorth, kWest))), 0.25);
 }
 
-View chosen(const Document& document, const View& view) {
+CameraView chosen(const Document& document, const CameraView& view) {
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
   return view_past_obstacles(grown.meshes, document.scene.obstacles, view, 1, progress);
 }
 
 TEST(FreeSide, TheUsualSideStaysWhereItIsFree) {
-  for (const char* wall : {kNorth, kWest}) EXPECT_EQ(chosen(ball_among(wall), View()).azimuth, View().azimuth) << wall;
-  EXPECT_EQ(chosen(ball_among(R"({"box": [[-20, 0, 3], [20, 15, 6]], "hidden": true})"), View()).azimuth,
-            View().azimuth);
+  for (const char* wall : {kNorth, kWest})
+    EXPECT_EQ(chosen(ball_among(wall), CameraView()).azimuth, CameraView().azimuth) << wall;
+  EXPECT_EQ(chosen(ball_among(R"({"box": [[-20, 0, 3], [20, 15, 6]], "hidden": true})"), CameraView()).azimuth,
+            CameraView().azimuth);
 }
 
 TEST(FreeSide, ASideThatAUserHasChosenStays) {
-  View view;
+  CameraView view;
   view.azimuth = kPi;
   EXPECT_EQ(chosen(ball_among(kSouth), view).azimuth, kPi);
-  View looking;
+  CameraView looking;
   looking.target = Vec3(0, 1, 0);
-  EXPECT_EQ(chosen(ball_among(kSouth), looking).azimuth, View().azimuth);
+  EXPECT_EQ(chosen(ball_among(kSouth), looking).azimuth, CameraView().azimuth);
 }
 
 }  // namespace meristem::free_side_test

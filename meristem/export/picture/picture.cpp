@@ -18,7 +18,7 @@ namespace meristem {
 namespace {
 
 /// Returns the unit vector along the ground to the right of the picture.
-Vec3 right_of(const View& view) {
+Vec3 right_of(const CameraView& view) {
   const auto azimuth = view.azimuth;
   Vec3 forward(-static_cast<float>(math::sin(azimuth)), 0, static_cast<float>(math::cos(azimuth)));
   if (view.position) forward = view.target.value_or(Vec3(0)) - *view.position;
@@ -27,13 +27,13 @@ Vec3 right_of(const View& view) {
 
 }  // namespace
 
-PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+PictureScene picture_scene(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
                            const PictureOptions& options, const Progress& progress) {
   const MeshScene& plants = grown.meshes;
   const double aspect = aspect_of(options.still);
-  const View view = options.still.transparent
-                        ? options.view
-                        : view_past_obstacles(plants, scene.obstacles, options.view, aspect, progress);
+  const CameraView view = options.still.transparent
+                              ? options.view
+                              : view_past_obstacles(plants, scene.obstacles, options.view, aspect, progress);
   PictureScene picture{options.plants ? plants : MeshScene(), view, {}};
   if (!options.overlays.empty()) {
     const OverlaySource source{grown.plant, grown.traces, scene, limits, plants.bounds(), right_of(view)};
@@ -56,14 +56,14 @@ bool shows_meshes_alone(const PictureOptions& options) {
   return options.overlays.empty() && !options.crown_hulls && options.plants;
 }
 
-Image take_last_picture(GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
-                        Progress& progress) {
+Image take_last_picture(GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
+                        const PictureOptions& options, Progress& progress) {
   if (!shows_meshes_alone(options)) return take_picture(grown, limits, scene, options, progress);
   return render_still(std::move(grown.meshes), scene, options.view, options.still, progress);
 }
 
-Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
-                   Progress& progress) {
+Image take_picture(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
+                   const PictureOptions& options, Progress& progress) {
   if (shows_meshes_alone(options)) {
     return render_still(grown.meshes, scene, options.view, options.still, progress);
   }

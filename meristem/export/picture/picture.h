@@ -15,7 +15,7 @@ namespace meristem {
 /// A picture: its size and quality, its view, and the overlays over the plants.
 struct PictureOptions {
   StillOptions still;                   ///< size and quality
-  View view;                            ///< position and direction of the camera
+  CameraView view;                      ///< position and direction of the camera
   bool crown_hulls = false;             ///< draws the convex hull of each tree's crown as wires
   std::vector<OverlayPart> overlays{};  ///< overlays with a legend; the camera frames them as well
   bool plants = true;                   ///< if false, shows only overlays and obstacles
@@ -24,21 +24,21 @@ struct PictureOptions {
 /// The scene of a picture for render_still, and the layers for its text.
 struct PictureScene {
   MeshScene meshes;                  ///< the meshes to render
-  View view;                         ///< the view with the camera placed
+  CameraView view;                   ///< the view with the camera placed
   std::vector<OverlayLayer> layers;  ///< layers that are drawn over the rendered picture
 };
 /// Prepares a picture: chooses meshes, camera and layers, but renders nothing. Throws like take_picture().
-PictureScene picture_scene(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+PictureScene picture_scene(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
                            const PictureOptions& options, const Progress& progress);
 
 /// Returns a picture of a grown document in the document's `scene`. `limits` are the document's. The camera frames the
 /// plants, whatever is drawn around them. Throws like render_still and overlay_layers.
-Image take_picture(const GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
-                   Progress& progress);
+Image take_picture(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
+                   const PictureOptions& options, Progress& progress);
 
 /// Takes the last picture of a grown document, and frees its meshes.
-Image take_last_picture(GrownDocument& grown, const Limits& limits, const Scene& scene, const PictureOptions& options,
-                        Progress& progress);
+Image take_last_picture(GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
+                        const PictureOptions& options, Progress& progress);
 
 /// Returns true if a picture shows only the plants' meshes. Then it does not need GrownDocument::plant.
 bool shows_meshes_alone(const PictureOptions& options);

@@ -53,13 +53,13 @@ void add(const MeshScene& meshes, Fingerprint& to) {
 
 }  // namespace
 
-std::string picture_fingerprint(const GrownDocument& grown, const Limits& limits, const Scene& scene,
+std::string picture_fingerprint(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene,
                                 const PictureOptions& options) {
   Fingerprint all;
   all.add(kLookOfStills).add(options.crown_hulls);
   const StillOptions& still = options.still;
   all.add(still.width).add(still.height).add(still.samples).add(still.transparent).add(still.ground);
-  const View& view = options.view;
+  const CameraView& view = options.view;
   add(view.position, all);
   add(view.target, all);
   if (!view.position) all.add(view.azimuth).add(view.altitude);  // a position replaces both

@@ -23,7 +23,7 @@ GrownDocument crown_about_a_triangle() {
 }
 
 PictureOptions small_picture() {
-  return {.still = {.width = 40, .height = 30, .samples = 4, .transparent = true}, .view = View()};
+  return {.still = {.width = 40, .height = 30, .samples = 4, .transparent = true}, .view = CameraView()};
 }
 
 TEST(Picture, WithoutHullsIsTheStillOfTheMeshes) {

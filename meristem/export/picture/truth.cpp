@@ -56,7 +56,7 @@ class Numbers {
 /// Numbers the visible objects on all levels.
 class Census {
  public:
-  Census(const MeshScene& meshes, const SurfaceLabels& labels, Truth& truth)
+  Census(const MeshScene& meshes, const SurfaceLabels& labels, PictureTruth& truth)
       : meshes_(meshes),
         labels_(labels),
         plants_(truth.masks[static_cast<int>(TruthLevel::plant)]),
@@ -64,7 +64,7 @@ class Census {
         organs_(truth.masks[static_cast<int>(TruthLevel::organ)]) {}
 
   /// Writes the numbers of a hit into the masks. Must be called pixel by pixel, in order.
-  void add(const Met& met, Truth& truth, std::size_t pixel) {
+  void add(const Met& met, PictureTruth& truth, std::size_t pixel) {
     const SurfaceLabel& label = met.label;
     const std::optional<PlantKey> key = plant_of(met);
     const std::uint32_t plant =
@@ -128,8 +128,8 @@ class Census {
 
 }  // namespace
 
-Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& scene, const View& view,
-                const TruthOptions& options, Progress& progress) {
+PictureTruth see_truth(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene, const CameraView& view,
+                       const TruthOptions& options, Progress& progress) {
   check_still_options({.width = options.width, .height = options.height});
   // Use the scene and the camera of the picture.
   const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
@@ -138,15 +138,16 @@ Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& s
   const MeshScene& framed = grown.meshes.meshes.empty() ? shown : grown.meshes;
   const RayScene rays(shown, progress);
   const double aspect = static_cast<double>(options.width) / options.height;
-  const View seen = shows_obstacles ? view_past_obstacles(grown.meshes, scene.obstacles, view, aspect, progress) : view;
+  const CameraView seen =
+      shows_obstacles ? view_past_obstacles(grown.meshes, scene.obstacles, view, aspect, progress) : view;
   const Camera camera = place_camera(framed, seen, aspect);
   const std::size_t pixels = std::size_t{1} * options.width * options.height;
-  Truth truth{.width = options.width,
-              .height = options.height,
-              .depth = std::vector<float>(pixels, kSky),
-              .normal = std::vector<Vec3>(pixels, Vec3(0)),
-              .masks = {},
-              .camera = camera};
+  PictureTruth truth{.width = options.width,
+                     .height = options.height,
+                     .depth = std::vector<float>(pixels, kSky),
+                     .normal = std::vector<Vec3>(pixels, Vec3(0)),
+                     .masks = {},
+                     .camera = camera};
   for (TruthMask& mask : truth.masks) mask.number.assign(pixels, 0);
   const Ground ground = ground_below(framed, scene);
   const SurfaceLabels labels(grown.plant, limits, shown, progress);

@@ -42,7 +42,7 @@ struct TruthMask {
 };
 
 /// The surface behind each pixel, row by row from the top.
-struct Truth {
+struct PictureTruth {
   int width = 0;             ///< pixels
   int height = 0;            ///< pixels
   std::vector<float> depth;  ///< metres along the viewing direction of the camera; infinite for the sky
@@ -66,7 +66,7 @@ struct TruthOptions {
 /// Textures with holes must be painted (has_holes, foliage.h). Wood belongs to the shoot whose axis has the nearest
 /// surface, and an organ to the shoot whose axis is nearest to its base. The result is equal on any number of threads.
 /// Throws InputError for sizes outside 1 to 16384, Cancelled.
-Truth see_truth(const GrownDocument& grown, const Limits& limits, const Scene& scene, const View& view,
-                const TruthOptions& options, Progress& progress);
+PictureTruth see_truth(const GrownDocument& grown, const SizeLimits& limits, const Scene& scene, const CameraView& view,
+                       const TruthOptions& options, Progress& progress);
 
 }  // namespace meristem

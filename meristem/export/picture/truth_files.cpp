@@ -39,7 +39,7 @@ constexpr std::array<const char*, kTruthLevels> kLevelNames{"organ", "shoot", "p
 
 bool has_ending(const std::string& path, std::string_view ending) { return lower_case(path).ends_with(ending); }
 
-std::string depth_png(const Truth& truth) {
+std::string depth_png(const PictureTruth& truth) {
   std::vector<std::uint16_t> grey;
   grey.reserve(truth.depth.size());
   for (const float depth : truth.depth) {
@@ -50,7 +50,7 @@ std::string depth_png(const Truth& truth) {
 }
 
 /// Returns a portable float map: rows from the bottom, little-endian.
-std::string pfm(const Truth& truth, int channels, const float* numbers) {
+std::string pfm(const PictureTruth& truth, int channels, const float* numbers) {
   std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", channels == 1 ? "Pf" : "PF", truth.width, truth.height);
   const std::size_t row = sizeof(float) * channels * truth.width;
   const auto* const begin = reinterpret_cast<const char*>(numbers);
@@ -58,7 +58,7 @@ std::string pfm(const Truth& truth, int channels, const float* numbers) {
   return bytes;
 }
 
-Image normals_image(const Truth& truth) {
+Image normals_image(const PictureTruth& truth) {
   Image image{truth.width, truth.height, {}};
   image.rgba.reserve(4 * truth.normal.size());
   for (const Vec3 normal : truth.normal) {
@@ -72,7 +72,7 @@ Image normals_image(const Truth& truth) {
   return image;
 }
 
-Image mask_image(const Truth& truth, const TruthMask& mask) {
+Image mask_image(const PictureTruth& truth, const TruthMask& mask) {
   Image image{truth.width, truth.height, {}};
   image.rgba.reserve(4 * mask.number.size());
   for (const std::uint32_t number : mask.number) {
@@ -148,7 +148,7 @@ Category category_of(int level, const SeenThing& thing) { return {level, thing.c
 
 Value list_of(Vec3 v) { return Value::List{double{v.x}, double{v.y}, double{v.z}}; }
 
-std::string coco(const Truth& truth, const TruthContext& context) {
+std::string coco(const PictureTruth& truth, const TruthContext& context) {
   const Camera& camera = truth.camera;
   // Categories are numbered by level and name, so that equal plants have equal numbers.
   std::map<Category, int> categories;
@@ -237,7 +237,7 @@ void check_truth_file(const TruthFormat& format, const std::string& path) {
                               .expected = "a file that ends in " + format.ending_list()});
 }
 
-std::string encode_truth(const Truth& truth, const TruthFormat& format, const std::string& path,
+std::string encode_truth(const PictureTruth& truth, const TruthFormat& format, const std::string& path,
                          const TruthContext& context) {
   check_truth_file(format, path);
   const bool is_pfm = has_ending(path, ".pfm");
@@ -254,7 +254,7 @@ std::string encode_truth(const Truth& truth, const TruthFormat& format, const st
   return {};
 }
 
-void write_truths(const Truth& truth, std::span<const TruthFile> files, const TruthContext& context) {
+void write_truths(const PictureTruth& truth, std::span<const TruthFile> files, const TruthContext& context) {
   for (const TruthFile& file : files) {
     write_whole_file(file.path, encode_truth(truth, *file.format, file.path, context));
   }

@@ -53,11 +53,11 @@ void check_truth_file(const TruthFormat& format, const std::string& path);
 /// - annotations, JSON: the format of the COCO data sets. Organs, shoots and plants are annotations with run-length
 ///   encoded masks. `number` is the number in the level's mask, and the ids of annotations are consecutive over all
 ///   levels.
-std::string encode_truth(const Truth& truth, const TruthFormat& format, const std::string& path,
+std::string encode_truth(const PictureTruth& truth, const TruthFormat& format, const std::string& path,
                          const TruthContext& context);
 
 /// Writes the files, each whole or not at all. Throws MachineError.
-void write_truths(const Truth& truth, std::span<const TruthFile> files, const TruthContext& context);
+void write_truths(const PictureTruth& truth, std::span<const TruthFile> files, const TruthContext& context);
 
 /// Returns the run lengths of one object's pixels as the text ("counts") that COCO's tools read. Pixels are ordered
 /// column by column from the left, each from the top.

@@ -34,20 +34,20 @@ constexpr const char* kTwins = R"({"meristem": 1, "seed": 3, "components": {
 struct Seen {
   Document document;
   GrownDocument grown;
-  Truth truth;
+  PictureTruth truth;
 };
 
-Seen look(const char* text, const View& view, int width, int height, bool transparent = false) {
+Seen look(const char* text, const CameraView& view, int width, int height, bool transparent = false) {
   Document document = read_document(text, "test.json", builtin_components());
   Progress progress;
   GrownDocument grown = grow_document(document, progress);
   const TruthOptions options{.width = width, .height = height, .transparent = transparent};
-  Truth truth = see_truth(grown, document.graph.limits, document.scene, view, options, progress);
+  PictureTruth truth = see_truth(grown, document.graph.limits, document.scene, view, options, progress);
   return {std::move(document), std::move(grown), std::move(truth)};
 }
 
-View ball_view() {
-  View view;
+CameraView ball_view() {
+  CameraView view;
   view.position = Vec3(0, 1, -10);
   view.target = Vec3(0, 1, 0);
   view.field_of_view = radians(20);
@@ -56,7 +56,7 @@ View ball_view() {
 
 TEST(Truth, HasTheDepthAndNormalsOfABall) {
   const Seen seen = look(kBall, ball_view(), 101, 101);
-  const Truth& truth = seen.truth;
+  const PictureTruth& truth = seen.truth;
   const std::size_t middle = 50 * 101 + 50;
   EXPECT_NEAR(truth.depth[middle], 9, 0.002);
   EXPECT_NEAR(truth.normal[middle].z, 1, 1e-3);
@@ -89,9 +89,9 @@ TEST(Truth, SeesSkyAndGroundAsThePictureDoes) {
 }
 
 TEST(Truth, CoversWhatThePictureCovers) {
-  const Seen seen = look(kTwins, View(), 64, 48, true);
+  const Seen seen = look(kTwins, CameraView(), 64, 48, true);
   Progress progress;
-  const Image image = render_still(seen.grown.meshes, seen.document.scene, View(),
+  const Image image = render_still(seen.grown.meshes, seen.document.scene, CameraView(),
                                    {.width = 64, .height = 48, .samples = 16, .transparent = true}, progress);
   int different = 0;
   for (int y = 0; y < 48; ++y) {
@@ -105,7 +105,7 @@ TEST(Truth, CoversWhatThePictureCovers) {
 }
 
 TEST(Truth, TellsOrgansShootsAndPlantsApart) {
-  const Seen seen = look(kTwins, View(), 160, 120);
+  const Seen seen = look(kTwins, CameraView(), 160, 120);
   const TruthMask& organs = seen.truth.mask(TruthLevel::organ);
   const TruthMask& shoots = seen.truth.mask(TruthLevel::shoot);
   const TruthMask& plants = seen.truth.mask(TruthLevel::plant);
@@ -135,10 +135,10 @@ TEST(Truth, TellsOrgansShootsAndPlantsApart) {
 TEST(Truth, IsTheSameOnAnyNumberOfThreads) {
   const auto with_threads = [](int threads) {
     const ThreadLimit limit(threads);
-    return look(kTwins, View(), 80, 60).truth;
+    return look(kTwins, CameraView(), 80, 60).truth;
   };
-  const Truth one = with_threads(1);
-  const Truth three = with_threads(3);
+  const PictureTruth one = with_threads(1);
+  const PictureTruth three = with_threads(3);
   EXPECT_EQ(one.depth, three.depth);
   for (int level = 0; level < kTruthLevels; ++level) EXPECT_EQ(one.masks[level].number, three.masks[level].number);
 }
@@ -150,12 +150,12 @@ TEST(TruthFiles, WritesRunLengthsAsCocoDoes) {
 }
 
 TEST(TruthFiles, WritesDepthInMillimetresAndMetres) {
-  const Truth truth{.width = 2,
-                    .height = 2,
-                    .depth = {1.2345F, 70, INFINITY, 0.5F},
-                    .normal = std::vector<Vec3>(4, Vec3(0, 0, 1)),
-                    .masks = {},
-                    .camera = Camera(Vec3(0), Vec3(0, 0, -1), 0.6, 1)};
+  const PictureTruth truth{.width = 2,
+                           .height = 2,
+                           .depth = {1.2345F, 70, INFINITY, 0.5F},
+                           .normal = std::vector<Vec3>(4, Vec3(0, 0, 1)),
+                           .masks = {},
+                           .camera = Camera(Vec3(0), Vec3(0, 0, -1), 0.6, 1)};
   const std::string pfm = encode_truth(truth, truth_format("depth"), "a.pfm", {});
   ASSERT_EQ(pfm.size(), 12 + 16U);
   EXPECT_TRUE(pfm.starts_with("Pf\n2 2\n-1.0\n"));
@@ -182,7 +182,7 @@ TEST(TruthFiles, WritesWhatWasAskedFor) {
 }
 
 TEST(TruthFiles, AnnotatesWhatIsSeen) {
-  const Seen seen = look(kTwins, View(), 160, 120);
+  const Seen seen = look(kTwins, CameraView(), 160, 120);
   const Value coco = parse_json(encode_truth(seen.truth, truth_format("coco"), "a.json",
                                              {.picture = "a.png", .name = "Twins", .licence = "CC0-1.0"}));
   EXPECT_EQ(*(*coco.find("images")->list())[0].find("file_name")->text(), "a.png");

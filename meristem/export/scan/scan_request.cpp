@@ -36,7 +36,7 @@ ScannerClass class_in(const Value& request) {
   return ScannerClass::terrestrial;  // the table reports the error
 }
 
-void check_instrument(const Instrument& instrument, const DocumentPath& path, ParameterReader& reader) {
+void check_instrument(const ScanInstrument& instrument, const DocumentPath& path, ParameterReader& reader) {
   if (!(instrument.highest > instrument.lowest)) {
     reader.add_error(DocumentPath(path, "highest"), "the sweeps would have no height",
                      fmt::format("an angle above {:.6g}°", degrees(instrument.lowest)));
@@ -70,51 +70,53 @@ const ParameterTable& options_table() {
 const ParameterTable& instrument_table() {
   constexpr NumberRange kAngle{.unit = Unit::degree, .min = -90, .max = 90};
   static const ParameterTable table =
-      Table<Instrument>("an instrument", "A scanner: the ways it looks, the width of its beam, and what it measures.")
-          .choice("kind", &Instrument::kind, class_names(),
+      Table<ScanInstrument>("an instrument",
+                            "A scanner: the ways it looks, the width of its beam, and what it measures.")
+          .choice("kind", &ScanInstrument::kind, class_names(),
                   "Class of the scanner, which gives the other parameters their defaults.")
-          .number("step", &Instrument::step, {.unit = Unit::degree, .min = 0.001, .max = 45, .usual = {0.01, 1}},
+          .number("step", &ScanInstrument::step, {.unit = Unit::degree, .min = 0.001, .max = 45, .usual = {0.01, 1}},
                   "Angle from one pulse to the next; of a drone, across its line. Raised, there are fewer points.")
-          .number("lowest", &Instrument::lowest, kAngle, "Lowest angle above the horizon that sweeps reach.")
-          .number("highest", &Instrument::highest, kAngle, "Highest angle above the horizon that sweeps reach.")
-          .number("field", &Instrument::field, {.unit = Unit::degree, .min = 0.1, .max = 170, .usual = {30, 120}},
+          .number("lowest", &ScanInstrument::lowest, kAngle, "Lowest angle above the horizon that sweeps reach.")
+          .number("highest", &ScanInstrument::highest, kAngle, "Highest angle above the horizon that sweeps reach.")
+          .number("field", &ScanInstrument::field, {.unit = Unit::degree, .min = 0.1, .max = 170, .usual = {30, 120}},
                   "Angle across the line of a drone or across the picture of a depth camera.")
-          .integer("columns", &Instrument::columns, {.min = 1, .max = 20000, .usual = {160, 1280}},
+          .integer("columns", &ScanInstrument::columns, {.min = 1, .max = 20000, .usual = {160, 1280}},
                    "Number of pixels across the picture of a depth camera.")
-          .integer("rows", &Instrument::rows, {.min = 1, .max = 20000, .usual = {120, 800}},
+          .integer("rows", &ScanInstrument::rows, {.min = 1, .max = 20000, .usual = {120, 800}},
                    "Number of pixels down the picture of a depth camera.")
-          .number("altitude", &Instrument::altitude,
+          .number("altitude", &ScanInstrument::altitude,
                   {.unit = Unit::metre, .min = 0, .max = 10000, .usual = {10, 120}, .above_min = true},
                   "Height of a drone above y = 0.")
-          .number("line_spacing", &Instrument::line_spacing,
+          .number("line_spacing", &ScanInstrument::line_spacing,
                   {.unit = Unit::metre, .min = 0.1, .max = 10000, .usual = {5, 50}},
                   "Distance between the parallel lines that a drone flies over the plants.")
-          .number("advance", &Instrument::advance,
+          .number("advance", &ScanInstrument::advance,
                   {.unit = Unit::metre, .min = 0.001, .max = 100, .usual = {0.01, 0.5}},
                   "Distance that a drone flies between sweeps across its line. Raised, there are fewer points.")
-          .number("heading", &Instrument::heading, {.unit = Unit::degree, .min = -360, .max = 360},
+          .number("heading", &ScanInstrument::heading, {.unit = Unit::degree, .min = -360, .max = 360},
                   "Azimuth of the lines of a drone, from north (0) over east (90).")
-          .number("divergence", &Instrument::divergence, {.min = 0, .max = 100, .usual = {0, 3}},
+          .number("divergence", &ScanInstrument::divergence, {.min = 0, .max = 100, .usual = {0, 3}},
                   "Full angle of the beam in milliradians, at 1/e² of its strength. Raised, edges of twigs and leaves "
                   "mix more.")
-          .number("exit_diameter", &Instrument::exit_diameter,
+          .number("exit_diameter", &ScanInstrument::exit_diameter,
                   {.unit = Unit::metre, .min = 0, .max = 1, .usual = {0, 0.02}},
                   "Diameter of the beam at the instrument, at 1/e² of its strength.")
-          .integer("rays", &Instrument::rays, {.min = 1, .max = 200, .usual = {1, 37}},
+          .integer("rays", &ScanInstrument::rays, {.min = 1, .max = 200, .usual = {1, 37}},
                    "Number of rays that stand for a beam. Raised, returns are finer and the scan takes longer.")
-          .integer("returns", &Instrument::returns, {.min = 1, .max = 15, .usual = {1, 5}},
+          .integer("returns", &ScanInstrument::returns, {.min = 1, .max = 15, .usual = {1, 5}},
                    "Largest number of returns per pulse; the nearest ones are kept.")
-          .number("resolution", &Instrument::resolution, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 2}},
+          .number("resolution", &ScanInstrument::resolution,
+                  {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 2}},
                   "Distance along the beam within which surfaces make one return, at their mean distance.")
-          .number("threshold", &Instrument::threshold, {.min = 0, .max = 1, .usual = {0, 0.5}},
+          .number("threshold", &ScanInstrument::threshold, {.min = 0, .max = 1, .usual = {0, 0.5}},
                   "Least share of the beam that makes a return. Raised, thin twigs vanish.")
-          .number("noise", &Instrument::noise, {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.05}},
+          .number("noise", &ScanInstrument::noise, {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.05}},
                   "Standard deviation of measured distances.")
-          .number("noise_growth", &Instrument::noise_growth, {.min = 0, .max = 1, .usual = {0, 0.01}},
+          .number("noise_growth", &ScanInstrument::noise_growth, {.min = 0, .max = 1, .usual = {0, 0.01}},
                   "Growth of the noise with the square of the distance, in metres per square metre.")
-          .number("nearest", &Instrument::nearest, {.unit = Unit::metre, .min = 0, .max = 10000, .usual = {0, 5}},
+          .number("nearest", &ScanInstrument::nearest, {.unit = Unit::metre, .min = 0, .max = 10000, .usual = {0, 5}},
                   "Least distance that can be measured.")
-          .number("farthest", &Instrument::farthest,
+          .number("farthest", &ScanInstrument::farthest,
                   {.unit = Unit::metre, .min = 0.01, .max = 10000, .usual = {1, 500}},
                   "Greatest distance that can be measured.")
           .only_where({{"kind", {"terrestrial", "phase", "drone"}}}, {"step"})
@@ -153,7 +155,7 @@ ScanPlan plan_scan(const Value& request, std::uint64_t seed) {
   plan.options.seed = seed;
   plan.options.instrument = instrument_of(class_in(request));
   if (request.is_null()) return plan;
-  ParameterReader reader({}, Limits());
+  ParameterReader reader({}, SizeLimits());
   reader.read(scan_table(), &plan, request, DocumentPath());
   if (plan.options.instrument.kind == ScannerClass::drone && request.find("around") != nullptr) {
     const DocumentPath top;

@@ -18,7 +18,7 @@ struct ScanPlan {
   bool obstacles = true;  ///< whether the scene's visible obstacles are scanned as well
 };
 
-const ParameterTable& instrument_table();  ///< table of Instrument
+const ParameterTable& instrument_table();  ///< table of ScanInstrument
 const ParameterTable& scan_table();        ///< table of ScanPlan
 
 /// Reads a request, which is an object of scan_table, or null for no request. `instrument` may be the name of a class.

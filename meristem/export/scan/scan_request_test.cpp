@@ -24,7 +24,7 @@ TEST(ScanRequest, WhatIsNotSaidIsAsInTheClass) {
   EXPECT_EQ(plan_scan({}, 7).options.instrument, instrument_of(ScannerClass::terrestrial));
   EXPECT_EQ(plan_scan({}, 7).options.seed, 7U);
   EXPECT_EQ(plan_of(R"({"instrument": "phase"})").options.instrument, instrument_of(ScannerClass::phase));
-  Instrument drone = instrument_of(ScannerClass::drone);
+  ScanInstrument drone = instrument_of(ScannerClass::drone);
   drone.step = radians(0.25);
   drone.altitude = 20;
   EXPECT_EQ(plan_of(R"({"instrument": {"kind": "drone", "step": 0.25, "altitude": 20}})").options.instrument, drone);

@@ -112,7 +112,7 @@ void add_days(std::string_view part, std::vector<ShadeDay>& days) {
     if (!from->date) {
       days.push_back({from->day + more, {}});
     } else {
-      const Date date = later(*from->date, more);
+      const CalendarDate date = later(*from->date, more);
       days.push_back({day_of_year(date), date});
     }
   }
@@ -143,7 +143,7 @@ void add_hours(std::string_view part, std::vector<double>& hours) {
 template <class Parameters>
 Parameters read_parameters(const ParameterTable& table, const Value& value, std::string_view name) {
   Parameters parameters;
-  ParameterReader reader({}, Limits());
+  ParameterReader reader({}, SizeLimits());
   // A bare value gets the name of its row, so that the rules of the table apply.
   const Value whole = value.object() != nullptr ? value : Value(Value::Object{{table.shorthand, value}});
   const DocumentPath top;

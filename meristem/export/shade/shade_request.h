@@ -35,8 +35,8 @@ struct ShadeRequest {
 
 /// A day of a request. Without a date, it is a day of any year.
 struct ShadeDay {
-  int day = 1;                 ///< day of the year
-  std::optional<Date> date{};  ///< unset: a day of any year
+  int day = 1;                         ///< day of the year
+  std::optional<CalendarDate> date{};  ///< unset: a day of any year
 
   /// Returns the date, or the number of the day.
   std::string text() const { return date ? date_text(*date) : std::to_string(day); }

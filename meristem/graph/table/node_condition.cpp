@@ -54,8 +54,8 @@ float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
   return static_cast<float>(length);
 }
 
-std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes, const Condition& condition,
-                                      RandomKey key, const Scene* scene) {
+std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
+                                      const SiteCondition& condition, RandomKey key, const Scene* scene) {
   const std::size_t count = skeleton.node_count();
   const std::vector<float> tip = tip_distance(skeleton);
   std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),

@@ -22,8 +22,8 @@ const std::vector<std::string>& node_variables();
 
 /// Returns for every node 1 if the condition holds, else 0. `axes` are the skeleton's; `key` seeds random functions. If
 /// the skeleton has no light of its own, `light` is that of light_at_nodes() in `scene`; without a scene it is 0.
-std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes, const Condition& condition,
-                                      RandomKey key, const Scene* scene = nullptr);
+std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
+                                      const SiteCondition& condition, RandomKey key, const Scene* scene = nullptr);
 
 /// Returns the distance from a node's parent, metres. Returns 0 for roots.
 float segment_length(const Skeleton& skeleton, NodeIndex node);

@@ -26,8 +26,8 @@ double light_reaching(const Scene& scene, Vec3 position) {
 }
 
 /// Returns stems as pieces that are no longer than a voxel. A piece as long as a voxel casts one shade.
-std::vector<Shader> shaders_of(const Skeleton& skeleton, double voxel) {
-  std::vector<Shader> shaders;
+std::vector<ShadeSource> shaders_of(const Skeleton& skeleton, double voxel) {
+  std::vector<ShadeSource> shaders;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     if (skeleton.is_root(node)) continue;
     const Vec3 from = skeleton.position[skeleton.parent[node]];

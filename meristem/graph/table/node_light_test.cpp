@@ -75,10 +75,10 @@ TEST(NodeLight, ConditionsPreferTheLightThatGrowthHasComputed) {
   tree.radius.assign(tree.node_count(), 0.01F);
   tree.axis.assign(tree.node_count(), 0);
   tree.order.assign(tree.node_count(), 0);
-  const Condition bright{"light > 0.9", Expression::compile("light > 0.9", {node_variables(), {}})};
+  const SiteCondition bright{"light > 0.9", Expression::compile("light > 0.9", {node_variables(), {}})};
   const Scene scene = lit_from_above();
   const auto count = [&](const Scene* light) {
-    const std::vector<std::uint8_t> holds = nodes_where(tree, Axes(tree), bright, RandomKey(1), light);
+    const std::vector<std::uint8_t> holds = nodes_where(tree, SkeletonAxes(tree), bright, RandomKey(1), light);
     return static_cast<std::size_t>(std::ranges::count(holds, 1));
   };
   EXPECT_EQ(count(nullptr), 0U);

@@ -22,7 +22,7 @@ class ClockVisitor final : public WalkVisitor {
   void on_children(const PlacedChildren& children) override {
     const ComponentIndex component = children.parent.component;
     if (!graph_.components[component].type->begins_clock) return;
-    std::optional<Clock> last;
+    std::optional<InstanceClock> last;
     children.batch.read([&](const Site& site) {
       const bool is_new = !last || last->start != site.clock.start || last->speed != site.clock.speed;
       last = site.clock;

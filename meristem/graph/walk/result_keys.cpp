@@ -12,10 +12,10 @@ namespace meristem {
 
 namespace {
 
-CacheKey key_of_surroundings(const Scene& scene, const Limits& limits, const CacheRun& results) {
-  static_assert(std::has_unique_object_representations_v<Limits>);
+CacheKey key_of_surroundings(const Scene& scene, const SizeLimits& limits, const CacheRun& results) {
+  static_assert(std::has_unique_object_representations_v<SizeLimits>);
   if (!scene.fingerprint) return std::nullopt;
-  const std::string_view bytes(reinterpret_cast<const char*>(&limits), sizeof(Limits));
+  const std::string_view bytes(reinterpret_cast<const char*>(&limits), sizeof(SizeLimits));
   return results.key([&] { return Fingerprint().add(*scene.fingerprint).add_text(bytes).hash(); });
 }
 

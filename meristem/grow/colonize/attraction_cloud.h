@@ -37,7 +37,7 @@ struct Attraction {
 /// with the light on the nodes that they pull, whichever trees these nodes belong to. A point that has moved into an
 /// obstacle is inactive while it is there. Positions in the cloud are relative to the first tree's root, which keeps
 /// precision far from the world's origin. Each tree uses positions relative to its own root.
-class AttractionCloud : public Commons {
+class AttractionCloud : public StandCommons {
  public:
   using Tree = std::uint32_t;
 

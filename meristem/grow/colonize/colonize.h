@@ -30,7 +30,7 @@ struct ColonizeParameters {
   Vec3 bias{0};            ///< added to each growth direction; (0, 0.2, 0) bends all growth upward a little
   Directions directions;   ///< only fields added to the scene's light and gravity act on growth and on `light.field`
   LightResponse light;     ///< response to the light of the scene and to shade
-  Finish finish;           ///< post-processing of the finished skeleton
+  FinishOptions finish;    ///< post-processing of the finished skeleton
   PipeModel radii;         ///< radii of the finished skeleton
   TraceRequest request;    ///< parts to record: steps and points
 };
@@ -55,6 +55,6 @@ struct Seedling {
 /// `scene` must outlive the growth and must be the same for all plants of a stand.
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component, const Progress& progress);
+                                       const SizeLimits& limits, std::string component, const Progress& progress);
 
 }  // namespace meristem

@@ -33,7 +33,7 @@ std::vector<Vec3> ball_points(Vec3 centre, double radius, std::uint64_t count, s
 std::vector<Skeleton> grow(const std::vector<std::pair<Seedling, ColonizeParameters>>& trees, const Scene& scene) {
   Stand stand;
   for (const auto& [seedling, parameters] : trees) {
-    stand.add(make_colonizer(stand, {seedling}, parameters, RandomKey(1), scene, Limits(), "tree", Progress()));
+    stand.add(make_colonizer(stand, {seedling}, parameters, RandomKey(1), scene, SizeLimits(), "tree", Progress()));
   }
   Progress progress;
   stand.grow(progress);
@@ -97,8 +97,9 @@ TEST(ColonizeAmongObstacles, NothingGrowsIntoThemOrThroughThem) {
 
 TEST(ColonizeAmongObstacles, WhatIsDoneAfterGrowthEntersThemNeither) {
   const Scene scene = beam();
-  for (const Finish finish : {Finish{}, Finish{.decimate = 10}, Finish{.decimate = 4, .subdivide = 1.5},
-                              Finish{.relax = false, .subdivide = 3}}) {
+  for (const FinishOptions finish :
+       {FinishOptions{}, FinishOptions{.decimate = 10}, FinishOptions{.decimate = 4, .subdivide = 1.5},
+        FinishOptions{.relax = false, .subdivide = 3}}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       ColonizeParameters parameters{.step = 0.05, .influence = 0.8, .kill = 0.12, .finish = finish};
       std::vector<Vec3> points = ball_points({0, 2, 0}, 1, 300, seed);
@@ -131,7 +132,7 @@ TEST(ColonizeAmongObstacles, RootsMayStandOnThem) {
 }
 
 TEST(ColonizeInShade, ItsMemoryIsLimited) {
-  Limits limits;
+  SizeLimits limits;
   limits.mesh_bytes = 100'000;
   ColonizeParameters parameters = kSmall;
   parameters.light.shade.emplace();
@@ -226,7 +227,7 @@ struct WindTrial {
 
 Skeleton grow_in_wind(const WindTrial& trial) {
   static const Scene scene;
-  const Gusts gusts{.share = trial.gusts, .size = 0.5, .drift = 0, .key = RandomKey(trial.seed).child("gusts")};
+  const WindGusts gusts{.share = trial.gusts, .size = 0.5, .drift = 0, .key = RandomKey(trial.seed).child("gusts")};
   const auto wind = std::make_shared<WindField>(Vec3(static_cast<float>(trial.strength), 0, 0), gusts);
   ColonizeParameters parameters = kSmall;
   parameters.influence = 0.6;

@@ -203,7 +203,7 @@ void Tree::note_node(NodeIndex parent, Vec3 position) {
 class Colonizer : public Grower {
  public:
   Colonizer(Stand& stand, std::vector<Seedling> seedlings, const ColonizeParameters& parameters, RandomKey key,
-            const Scene& scene, const Limits& limits, std::string component, const Progress& progress)
+            const Scene& scene, const SizeLimits& limits, std::string component, const Progress& progress)
       : species_{parameters, scene, limits, std::move(component)}, cloud_(cloud_of(stand)) {
     leave_out_inner_points(seedlings, progress);
     if (records_points()) cloud_.keep_record();
@@ -336,7 +336,7 @@ Skeleton Colonizer::take_skeleton(Progress& progress) {
 
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component, const Progress& progress) {
+                                       const SizeLimits& limits, std::string component, const Progress& progress) {
   check_parameters(parameters);
   return std::make_unique<Colonizer>(stand, std::move(seedlings), parameters, key, scene, limits, std::move(component),
                                      progress);

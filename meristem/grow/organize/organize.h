@@ -73,7 +73,7 @@ struct Phyllotaxis {
 };
 
 /// Shedding of branches without light or resource.
-struct Shedding {
+struct BranchShedding {
   double below = 0;     ///< a shoot is shed if its mean light per metamer is below this value; 0: no shedding by light
   double resource = 0;  ///< a shoot is shed if its resource per metamer is below this value; 0: no shedding by resource
   int after = 3;        ///< only shoots older than this number of iterations are shed
@@ -115,17 +115,17 @@ struct OrganizeParameters {
   DirectionWeights direction;  ///< directions of new metamers
   std::optional<DirectionWeights> stem;     ///< weights of the leading stem, if different
   Phyllotaxis phyllotaxis;                  ///< directions of lateral buds
-  Shedding shedding;                        ///< branches that are shed
-  std::optional<Sag> sag;                   ///< bending under load; unset: no bending
+  BranchShedding shedding;                  ///< branches that are shed
+  std::optional<BranchSag> sag;             ///< bending under load; unset: no bending
   PipeModel radii;                          ///< radii of the finished skeleton
   std::optional<Bearing> bearing;           ///< fruits; unset: none
   std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
   std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
-  double callus = 0;                  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
-  std::vector<Operation> operations;  ///< applied in this order
-  std::vector<std::string> marks;     ///< names of the marks, by number
-  double summer = 0.5;                ///< 0 to 1: share of an iteration's growth before its summer operations
-  bool plans = false;                 ///< true: the operations of the last iteration are only planned and reported
+  double callus = 0;  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
+  std::vector<TreeOperation> operations;  ///< applied in this order
+  std::vector<std::string> marks;         ///< names of the marks, by number
+  double summer = 0.5;                    ///< 0 to 1: share of an iteration's growth before its summer operations
+  bool plans = false;                     ///< true: the operations of the last iteration are only planned and reported
   bool keeps_fallen = false;  ///< true: the skeleton also contains shed and cut shoots, with the time of their loss
   TraceRequest request;       ///< parts to record; everything except attraction points is supported
   /// Directions of light and gravity. Light fields that are not the scene's own are added to the light direction of a
@@ -171,7 +171,7 @@ struct OrganizeSeed {
 /// std::invalid_argument for parameters out of range. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component);
+                                       const SizeLimits& limits, std::string component);
 
 /// Returns the unit vector toward a bud at `bud_angle` about an axis with this heading.
 Vec3 bud_side(Vec3 heading, double bud_angle);

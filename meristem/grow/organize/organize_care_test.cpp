@@ -26,8 +26,8 @@ double sum_of(const Skeleton& tree, const char* name) {
 /// A tree whose stem is cut in half in iteration 10.
 OrganizeParameters halved(int iterations, double stub = 0) {
   OrganizeParameters parameters = full(iterations);
-  Operation operation = cut_above(10, "main", 8);
-  std::get<Cut>(operation.what).stub = stub;
+  TreeOperation operation = cut_above(10, "main", 8);
+  std::get<CutOperation>(operation.what).stub = stub;
   parameters.operations.push_back(operation);
   return parameters;
 }

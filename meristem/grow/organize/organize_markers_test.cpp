@@ -157,8 +157,8 @@ TEST(OrganizeAmongMarkers, ARootTooFarAwayIsAFault) {
 /// Grows a tree in a room above its root.
 Skeleton grow_in_room(const CrownPointer& room, std::uint64_t seed, int iterations = 12) {
   Stand stand;
-  stand.add(
-      make_organizer(stand, {{Frame(), room}}, among_markers(iterations), RandomKey(seed), Scene(), Limits(), "tree"));
+  stand.add(make_organizer(stand, {{Frame(), room}}, among_markers(iterations), RandomKey(seed), Scene(), SizeLimits(),
+                           "tree"));
   return std::move(grow(stand)[0]);
 }
 

@@ -304,7 +304,7 @@ bool OrganizedTree::stays_in_room(Vec3 from, Vec3 to) const {
 }
 
 void OrganizedTree::shed(int iteration) {
-  const Shedding& shedding = species_->parameters.shedding;
+  const BranchShedding& shedding = species_->parameters.shedding;
   if (shedding.below <= 0 && shedding.resource <= 0) return;
   // The light at the begin of the round is divided by the current number of metamers, including those just grown. With
   // this rule, the share of metamers kept agrees with the published values (81 % at a threshold of 0.1, 43 % at 0.3).

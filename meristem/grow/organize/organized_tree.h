@@ -86,7 +86,7 @@ class OrganizedTree {
  private:
   /// Effects of operations that are not stored in the metamers.
   struct Upkeep {
-    Leads leads;
+    TreeLeads leads;
     std::vector<std::uint8_t> is_done;  // by operation
     CutWounds wounds;
     TreeBows bows;
@@ -165,10 +165,10 @@ class OrganizedTree {
   State state() const { return {tree_.state(), flow_, upkeep_, crop_, wood_, fallen_, losses_, records_}; }
   void restore(State state);
   std::uint64_t name_of_bud(MetamerIndex metamer) const;
-  void apply(const Work& work, int iteration, std::size_t operation, bool in_summer);
+  void apply(const OperationWork& work, int iteration, std::size_t operation, bool in_summer);
   /// Records the shoots whose buds may react to the planned cuts.
-  void note_answering(const Work& work);
-  void record(const Work& work, int iteration, const Operation& operation);
+  void note_answering(const OperationWork& work);
+  void record(const OperationWork& work, int iteration, const TreeOperation& operation);
   /// Records for the plan that an operation would remove a metamer and everything that it bears.
   void note_planned(MetamerIndex first, int operation);
   void ring(const Ring& ring, int iteration);

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
+StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<BranchSag>& sag,
                            const PipeModel& radii)
     : space_(space), root_(place.root), metamers_(std::move(seed)), scene_light_(place.scene, place.root) {
   if (sag) load_.emplace(*sag, radii, place.directions, place.root);
@@ -29,7 +29,7 @@ void StandingTree::leave_stub(MetamerIndex from, bool is_lateral, Vec3 tip, floa
   metamers_.lost_tips[from] -= lost;
 }
 
-void StandingTree::move(Pose pose) {
+void StandingTree::move(TreePose pose) {
   const std::vector<Vec3> before = std::exchange(metamers_.tip, std::move(pose.tip));
   metamers_.side = std::move(pose.side);
   if (load_ && !pose.moment.empty()) load_->take(std::move(pose.moment));

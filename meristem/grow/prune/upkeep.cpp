@@ -8,9 +8,9 @@
 
 namespace meristem {
 
-Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots) {
+OperationWork spur(const TreeState& tree, const SpurOperation& what, const std::vector<Shoot>& shoots) {
   const auto max = static_cast<std::size_t>(what.metamers);
-  Work work;
+  OperationWork work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
     for (std::size_t k = 0; k < shoot.path.size(); ++k) {
@@ -43,7 +43,7 @@ std::size_t find_heir(const TreeState& tree, const std::vector<MetamerIndex>& pa
 }
 
 /// Cuts one shoot back to `max` metamers. The lateral shoot at the cut takes the lead, so it is shortened as well.
-void cut_to_length(const TreeState& tree, const std::vector<MetamerIndex>& path, std::size_t max, Work& work) {
+void cut_to_length(const TreeState& tree, const std::vector<MetamerIndex>& path, std::size_t max, OperationWork& work) {
   const bool is_lateral = tree.metamers.begins_shoot(path[max]);
   const std::size_t heir = max == 0 || is_lateral ? 0 : find_heir(tree, path, max);
   if (heir == 0) return work.gone.push_back(path[max]);
@@ -57,9 +57,9 @@ void cut_to_length(const TreeState& tree, const std::vector<MetamerIndex>& path,
 
 }  // namespace
 
-Work limit(const TreeState& tree, const Limit& what, const std::vector<Shoot>& shoots) {
+OperationWork limit(const TreeState& tree, const LimitOperation& what, const std::vector<Shoot>& shoots) {
   const auto max = static_cast<std::size_t>(what.metamers);
-  Work work;
+  OperationWork work;
   work.renews = true;
   for (const Shoot& shoot : shoots) {
     if (shoot.path.size() > max && (max > 0 || shoot.axis != 0)) cut_to_length(tree, shoot.path, max, work);

@@ -268,8 +268,8 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
   file.commit();
 }
 
-void write_skeleton_ply(const Plant& grown, const Limits& limits, const std::string& path, const PlyOptions& options,
-                        Progress& progress) {
+void write_skeleton_ply(const Plant& grown, const SizeLimits& limits, const std::string& path,
+                        const PlyOptions& options, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   require_finite(plant);

@@ -37,7 +37,7 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
 /// the number of the vertex. `parent` is a vertex or -1, `component` an index as above, and NaN marks unknown values.
 /// An edge is `vertex1 vertex2`, from parent to child. Plantings are expanded first, within `limits`. Streams, throws
 /// and appears like write_mesh_ply.
-void write_skeleton_ply(const Plant& plant, const Limits& limits, const std::string& path, const PlyOptions& options,
-                        Progress& progress);
+void write_skeleton_ply(const Plant& plant, const SizeLimits& limits, const std::string& path,
+                        const PlyOptions& options, Progress& progress);
 
 }  // namespace meristem

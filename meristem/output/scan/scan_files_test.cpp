@@ -32,7 +32,7 @@ class ScanFiles : public testing::Test {
  protected:
   ScanFiles() {
     plant_.materials.emplace_back();
-    Instrument& scanner = options_.instrument;
+    ScanInstrument& scanner = options_.instrument;
     scanner.step = radians(1.5);
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);

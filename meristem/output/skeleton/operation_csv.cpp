@@ -51,7 +51,7 @@ std::vector<OperationRecord> operation_records(const Plant& plant) {
   return records;
 }
 
-void write_operation_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+void write_operation_csv(const Plant& grown, const SizeLimits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const std::vector<OperationRecord> records = operation_records(*expanded);

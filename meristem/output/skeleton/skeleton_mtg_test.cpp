@@ -26,7 +26,7 @@ std::string written(const Plant& plant, const MtgOptions& options = {}) {
       testing::TempDir() + "skeleton_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".mtg";
   Progress progress;
   write_skeleton_mtg(plant, {}, path, options, progress);
-  std::string text = read_file(path, Limits{}.file_bytes);
+  std::string text = read_file(path, SizeLimits{}.file_bytes);
   std::filesystem::remove(path);
   return text;
 }
@@ -249,7 +249,7 @@ std::vector<DataSet<MtgGeometry>> digitised_trees() {
 TEST(SkeletonMtg, DigitisedTreesComeBack) {
   for (const auto& [file, geometry] : digitised_trees()) {
     SCOPED_TRACE(file);
-    check_round_trip(read(read_file(file, Limits{}.file_bytes), geometry));
+    check_round_trip(read(read_file(file, SizeLimits{}.file_bytes), geometry));
   }
 }
 
@@ -257,7 +257,7 @@ TEST(SkeletonMtg, TreesWithoutCoordinatesHaveNoSkeleton) {
   for (const std::string& file : data_files({"tests/data/trees/coded_shoot.mtg", "tests/data/trees/dated_shoot.mtg"},
                                             {"trees/monopodial_plant.mtg", "trees/simple_plant.mtg"})) {
     try {
-      read(read_file(file, Limits{}.file_bytes));
+      read(read_file(file, SizeLimits{}.file_bytes));
       ADD_FAILURE() << file;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics()[0].message, "there is no feature 'XX'");

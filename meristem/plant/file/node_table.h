@@ -44,7 +44,7 @@ struct NodeTable {
 /// negative, or if it is 0 and no row has the number 0. Throws InputError with line and column in `file` for missing
 /// columns (with the nearest name), texts instead of numbers, and numbers out of range (base/number_limit.h). Throws it
 /// also for duplicate node numbers, missing parents, parents in a circle, no nodes, and more nodes than `limits` allow.
-NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits);
+NodeTable read_node_table(std::string_view text, const std::string& file, const SizeLimits& limits);
 
 /// How the nodes of a file are placed in the world.
 struct NodeTablePlacement {

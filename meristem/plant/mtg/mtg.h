@@ -92,6 +92,6 @@ struct MtgTree {
 
 /// Reads the text of an MTG file. Throws one InputError with all errors (up to the limit), each with line and column in
 /// `file`. More entities than `limits.nodes` are an error. Cost and memory: linear in the text and the entities.
-MtgTree read_mtg(std::string_view text, const std::string& file, const Limits& limits);
+MtgTree read_mtg(std::string_view text, const std::string& file, const SizeLimits& limits);
 
 }  // namespace meristem

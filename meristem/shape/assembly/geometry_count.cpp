@@ -65,7 +65,7 @@ PartSums sums_of_tubes(const Stem& stem, const std::vector<Material>& materials)
 }
 
 /// Returns the sums of a plant without its plantings.
-PartSums sums_of(const Plant& plant, const Limits& limits, Progress& progress) {
+PartSums sums_of(const Plant& plant, const SizeLimits& limits, Progress& progress) {
   std::vector<PartSums> of_stem(plant.stems.size());
   parallel_for(of_stem.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -91,7 +91,7 @@ PartSums sums_of(const Plant& plant, const Limits& limits, Progress& progress) {
 }
 
 /// Like sums_of, with copies of the deformed plantings.
-PartSums sums_with_copies(const Plant& plant, const Limits& limits, Progress& progress) {
+PartSums sums_with_copies(const Plant& plant, const SizeLimits& limits, Progress& progress) {
   if (!has_deformed_plantings(plant)) return sums_of(plant, limits, progress);
   return sums_of(with_deformed_copies(plant, limits, progress), limits, progress);
 }
@@ -101,7 +101,7 @@ class PlantCounter {
  public:
   explicit PlantCounter(const Plant& plant) { gather(plant); }
 
-  GeometryCount run(const Limits& limits, Progress& progress) {
+  GeometryCount run(const SizeLimits& limits, Progress& progress) {
     count_each(limits, progress);
     const Plant& whole = *plants_.front();
     GeometryCount count = own_.front().geometry;
@@ -126,7 +126,7 @@ class PlantCounter {
   }
 
   /// Counts in parallel. If several counts fail, the choice of the thrown error does not depend on threads.
-  void count_each(const Limits& limits, Progress& progress) {
+  void count_each(const SizeLimits& limits, Progress& progress) {
     own_.resize(plants_.size());
     totals_.resize(plants_.size());
     std::vector<std::exception_ptr> errors(plants_.size());
@@ -176,7 +176,7 @@ GeometryCount count_geometry(const MeshScene& scene) {
   return count;
 }
 
-GeometryCount count_geometry(const Plant& plant, const Limits& limits, Progress& progress) {
+GeometryCount count_geometry(const Plant& plant, const SizeLimits& limits, Progress& progress) {
   return PlantCounter(plant).run(limits, progress);
 }
 

@@ -24,6 +24,6 @@ GeometryCount count_geometry(const MeshScene& scene);
 /// Counts the geometry that make_mesh_scene would make of a plant at level 0. Tubes are only planned. Each closed body
 /// is made and freed again, so limits on triangles and on bytes of geometry apply only to closed bodies. Begins a stage
 /// of `progress`, which counts plants. Throws InputError if limits are exceeded, Cancelled.
-GeometryCount count_geometry(const Plant& plant, const Limits& limits, Progress& progress);
+GeometryCount count_geometry(const Plant& plant, const SizeLimits& limits, Progress& progress);
 
 }  // namespace meristem

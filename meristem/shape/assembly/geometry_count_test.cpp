@@ -60,7 +60,7 @@ TEST(GeometryCount, IsThatOfTheMeshesOfAPlant) { expect_count_of_meshes(leafy_st
 
 TEST(GeometryCount, IsThatOfTheMeshesOfBodies) {
   Plant plant = leafy_stems();
-  plant.stems[0].parts[0].surface.style = Surface::Style::blend;
+  plant.stems[0].parts[0].surface.style = SurfaceOptions::Style::blend;
   plant.stems[1].parts[0].surface.crown = CrownBody{.resolution = 10};
   expect_count_of_meshes(plant);
 }
@@ -87,7 +87,7 @@ TEST(GeometryCount, IsThatOfTheMeshesOfDeformedPlants) {
 }
 
 TEST(GeometryCount, NeedsNoRoomForMeshes) {
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = limits.mesh_bytes = 1;
   Progress progress;
   EXPECT_THROW(make_mesh_scene(leafy_stems(), limits, progress), InputError);

@@ -45,21 +45,21 @@ std::shared_ptr<const Plant> borrowed(const Plant& plant) { return {std::shared_
 
 }  // namespace
 
-MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
+MeshScene make_mesh_scene(const Plant& plant, const SizeLimits& limits, Progress& progress, const MeshDetail& detail,
                           Cache* cache) {
   return make_meshes(borrowed(plant), {limits, detail, cache}, progress);
 }
 
-MeshScene make_mesh_scene(Plant&& plant, const Limits& limits, Progress& progress, const Detail& detail) {
+MeshScene make_mesh_scene(Plant&& plant, const SizeLimits& limits, Progress& progress, const MeshDetail& detail) {
   return make_meshes(std::make_shared<const Plant>(std::move(plant)), {limits, detail}, progress);
 }
 
-MeshScene make_ray_meshes(const Plant& plant, const Limits& limits, Progress& progress) {
-  return make_meshes(borrowed(plant), {limits, Detail(), nullptr, MeshUse::rays}, progress);
+MeshScene make_ray_meshes(const Plant& plant, const SizeLimits& limits, Progress& progress) {
+  return make_meshes(borrowed(plant), {limits, MeshDetail(), nullptr, MeshUse::rays}, progress);
 }
 
-MeshScene make_ray_meshes(Plant&& plant, const Limits& limits, Progress& progress) {
-  return make_meshes(std::make_shared<const Plant>(std::move(plant)), {limits, Detail(), nullptr, MeshUse::rays},
+MeshScene make_ray_meshes(Plant&& plant, const SizeLimits& limits, Progress& progress) {
+  return make_meshes(std::make_shared<const Plant>(std::move(plant)), {limits, MeshDetail(), nullptr, MeshUse::rays},
                      progress);
 }
 

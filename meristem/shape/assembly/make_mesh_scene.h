@@ -16,11 +16,11 @@ namespace meristem {
 /// counts nodes and organs, after the stages of bodies. Throws InputError before memory is used if limits on triangles
 /// or geometry would be exceeded. The error names the largest component. Throws Cancelled, and std::invalid_argument
 /// for invalid indices and details out of range.
-MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail = {},
-                          Cache* cache = nullptr);
+MeshScene make_mesh_scene(const Plant& plant, const SizeLimits& limits, Progress& progress,
+                          const MeshDetail& detail = {}, Cache* cache = nullptr);
 
 /// Makes equal meshes and frees the plant meanwhile: first its own stems and organs, then each variant without other
 /// owners. Stands of many different plants therefore take less memory.
-MeshScene make_mesh_scene(Plant&& plant, const Limits& limits, Progress& progress, const Detail& detail = {});
+MeshScene make_mesh_scene(Plant&& plant, const SizeLimits& limits, Progress& progress, const MeshDetail& detail = {});
 
 }  // namespace meristem

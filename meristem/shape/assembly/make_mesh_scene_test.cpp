@@ -48,12 +48,12 @@ Plant plant_of_all_sorts() {
   return plant;
 }
 
-MeshScene scene_of(const Plant& plant, const Limits& limits = {}) {
+MeshScene scene_of(const Plant& plant, const SizeLimits& limits = {}) {
   Progress progress;
   return make_mesh_scene(plant, limits, progress);
 }
 
-std::string limit_path(const Plant& plant, const Limits& limits) {
+std::string limit_path(const Plant& plant, const SizeLimits& limits) {
   try {
     scene_of(plant, limits);
   } catch (const InputError& error) {

@@ -151,11 +151,11 @@ struct ScenePlan {
   OrganDetail organs;
   std::vector<std::size_t> organ_counts;  // number of organs of each prototype
 
-  ScenePlan(const Plant& plant, const Detail& detail, CacheRun& results)
+  ScenePlan(const Plant& plant, const MeshDetail& detail, CacheRun& results)
       : ScenePlan(plant, detail, DetailBudget(plant, detail), results) {}
 
  private:
-  ScenePlan(const Plant& plant, const Detail& detail, const DetailBudget& budget, CacheRun& results)
+  ScenePlan(const Plant& plant, const MeshDetail& detail, const DetailBudget& budget, CacheRun& results)
       : stems(plan_stems(plant, budget.of_tubes(detail.level), detail.is_quick, results)),
         organs(plan_organs(plant, detail, budget)),
         organ_counts(organs_of_prototypes(plant, organs)) {}
@@ -163,7 +163,7 @@ struct ScenePlan {
 
 /// Throws InputError if the scene would exceed a limit.
 void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, const ScenePlan& scene,
-                  const Limits& limits) {
+                  const SizeLimits& limits) {
   SceneTally tally;
   for (const MeshInstances& body : bodies) tally.add_mesh(body.component, *body.mesh);
   for (const std::unique_ptr<StemSurface>& surface : scene.stems) {
@@ -359,7 +359,7 @@ std::vector<MeshInstances> grouped(std::vector<MeshInstances> meshes) {
   return meshes;
 }
 
-std::uint64_t planned_triangles(const Plant& plant, const Limits& limits) {
+std::uint64_t planned_triangles(const Plant& plant, const SizeLimits& limits) {
   check_references(plant);
   CacheRun results(nullptr, {});
   const ScenePlan plan(plant, {}, results);
@@ -375,10 +375,10 @@ std::uint64_t planned_triangles(const Plant& plant, const Limits& limits) {
 }
 
 MeshScene make_own_meshes(const Plant& plant, const OwnMeshOptions& options, Progress& progress) {
-  const Detail& detail = options.detail;
+  const MeshDetail& detail = options.detail;
   check_references(plant);
   if (detail.level > 0 && !detail.is_quick && may_be_small(plant)) {
-    const MeshScene whole = clothe(plant, {options.limits, Detail(), options.cache}, progress);
+    const MeshScene whole = clothe(plant, {options.limits, MeshDetail(), options.cache}, progress);
     if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, detail, progress);
   }
   return clothe(plant, options, progress);

@@ -21,8 +21,8 @@ enum class MeshUse {
 };
 
 struct OwnMeshOptions {
-  const Limits& limits;
-  const Detail& detail;
+  const SizeLimits& limits;
+  const MeshDetail& detail;
   Cache* cache = nullptr;
   MeshUse use = MeshUse::all;
 };
@@ -32,7 +32,7 @@ MeshScene make_own_meshes(const Plant& plant, const OwnMeshOptions& options, Pro
 
 /// Returns the number of triangles of a plant's tubes and organs, without its plantings. Plans all tubes but makes
 /// none. Throws like make_mesh_scene.
-std::uint64_t planned_triangles(const Plant& plant, const Limits& limits);
+std::uint64_t planned_triangles(const Plant& plant, const SizeLimits& limits);
 
 /// Groups meshes by component in the order of first appearance, and removes invisible ones.
 std::vector<MeshInstances> grouped(std::vector<MeshInstances> meshes);

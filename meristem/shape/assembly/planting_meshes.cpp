@@ -32,7 +32,7 @@ constexpr std::size_t kFewPlaces = 16;  // number of places of a planting that a
 /// Makes the meshes of plantings, each variant once.
 class PlantingClothier {
  public:
-  PlantingClothier(std::vector<Planting> plantings, const PlantingRecipe& recipe, const Limits& limits,
+  PlantingClothier(std::vector<Planting> plantings, const PlantingRecipe& recipe, const SizeLimits& limits,
                    Progress& progress, Cache* cache)
       : plantings_(std::move(plantings)),
         recipe_(recipe),
@@ -221,7 +221,7 @@ class PlantingClothier {
 
   std::vector<Planting> plantings_;  // without their variants
   const PlantingRecipe& recipe_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   Progress& progress_;
   CacheRun results_;
   bool is_whole_ = true;
@@ -237,7 +237,7 @@ class PlantingClothier {
 }  // namespace
 
 bool add_plantings(MeshScene& scene, std::vector<Planting> plantings, const PlantingRecipe& recipe,
-                   const Limits& limits, Progress& progress, Cache* cache) {
+                   const SizeLimits& limits, Progress& progress, Cache* cache) {
   return PlantingClothier(std::move(plantings), recipe, limits, progress, cache).add_to(scene);
 }
 

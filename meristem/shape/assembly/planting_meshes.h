@@ -35,6 +35,6 @@ struct PlantingRecipe {
 /// meshes. Throws InputError if limits would be exceeded. If several variants fail, the first error is thrown. Throws
 /// Cancelled.
 bool add_plantings(MeshScene& scene, std::vector<Planting> plantings, const PlantingRecipe& recipe,
-                   const Limits& limits, Progress& progress, Cache* cache);
+                   const SizeLimits& limits, Progress& progress, Cache* cache);
 
 }  // namespace meristem

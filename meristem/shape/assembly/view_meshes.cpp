@@ -136,7 +136,7 @@ struct OwnMeshes {
 };
 
 /// Returns the meshes of a plant without its plantings, with about `granted` of its `whole` triangles.
-OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double whole, double granted,
+OwnMeshes own_meshes_within(const Plant& plant, const SizeLimits& limits, double whole, double granted,
                             const ViewMeshOptions& options, Progress& progress, Cache* cache) {
   // The estimate is high. If it is near the limit, count exactly.
   if (whole > granted && whole <= kNearlyWhole * granted) {
@@ -147,7 +147,7 @@ OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double who
   MeshScene made;
   for (int k = 0; k < kMaxTries; ++k) {
     const std::uint64_t before = made.triangle_count();
-    const Detail detail{.level = 1, .share = share, .is_quick = true, .work = options.work};
+    const MeshDetail detail{.level = 1, .share = share, .is_quick = true, .work = options.work};
     made = make_own_meshes(plant, {limits, detail, cache}, progress);
     const auto count = static_cast<double>(made.triangle_count());
     if (count <= kAboutPart * granted || (k > 0 && count > kStillFalls * static_cast<double>(before))) break;
@@ -157,7 +157,7 @@ OwnMeshes own_meshes_within(const Plant& plant, const Limits& limits, double who
 }
 
 /// Throws InputError if the whole plant would exceed a limit. Plans tubes only if the estimate is near a limit.
-void check_whole(const Plant& plant, const Limits& limits, Estimates& estimates) {
+void check_whole(const Plant& plant, const SizeLimits& limits, Estimates& estimates) {
   double about = estimates.own(plant);
   std::unordered_map<const PlantVariant*, bool> seen;
   std::vector<const Plant*> plants{&plant};
@@ -179,8 +179,8 @@ void check_whole(const Plant& plant, const Limits& limits, Estimates& estimates)
               "components." + plant.plantings.front().component);
 }
 
-ViewMeshes meshes_within(const Plant& plant, const Limits& limits, const ViewMeshOptions& options, Estimates& estimates,
-                         Progress& progress, Cache* cache) {
+ViewMeshes meshes_within(const Plant& plant, const SizeLimits& limits, const ViewMeshOptions& options,
+                         Estimates& estimates, Progress& progress, Cache* cache) {
   const std::vector<Claim> claims = granted_claims(plant, static_cast<double>(options.triangles), estimates);
   const Claim& own = claims.front();
   OwnMeshes made = own_meshes_within(plant, limits, own.whole, own.granted, options, progress, cache);
@@ -217,7 +217,7 @@ ViewMeshes meshes_within(const Plant& plant, const Limits& limits, const ViewMes
 
 double about_triangles(const Plant& plant) { return Estimates().whole(plant); }
 
-ViewMeshes make_view_meshes(const Plant& plant, const Limits& limits, const ViewMeshOptions& options,
+ViewMeshes make_view_meshes(const Plant& plant, const SizeLimits& limits, const ViewMeshOptions& options,
                             Progress& progress, Cache* cache) {
   if (has_deformed_plantings(plant)) {
     return make_view_meshes(with_deformed_copies(plant, limits, progress), limits, options, progress, cache);

@@ -43,7 +43,7 @@ double about_triangles(const Plant& plant);
 /// Throws InputError if the tubes and organs of the whole plant would exceed the limit on triangles, where each variant
 /// counts once. The limit on bytes applies to the plant alone, to each variant alone, and to the resulting scene, but
 /// not to the sum of all variants' whole meshes. Also throws like make_mesh_scene.
-ViewMeshes make_view_meshes(const Plant& plant, const Limits& limits, const ViewMeshOptions& options,
+ViewMeshes make_view_meshes(const Plant& plant, const SizeLimits& limits, const ViewMeshOptions& options,
                             Progress& progress, Cache* cache = nullptr);
 
 }  // namespace meristem

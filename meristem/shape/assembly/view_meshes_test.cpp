@@ -222,7 +222,7 @@ TEST(ViewMeshes, ACancelledCallLeavesThePlantsThatItHasMade) {
 
 TEST(ViewMeshes, TheLimitsAreThoseOfTheWholePlant) {
   const Plant plant = tree(4);
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = 50'000;
   Progress progress;
   EXPECT_THROW(make_view_meshes(plant, limits, {static_cast<std::uint64_t>(kBudget)}, progress), InputError);

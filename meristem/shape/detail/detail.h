@@ -21,7 +21,7 @@ struct MeshWork {
 };
 
 /// The coarseness of a plant's meshes.
-struct Detail {
+struct MeshDetail {
   int level = 0;  ///< 0: full detail; larger levels have fewer triangles; at most kCoarsestDetail
   /// Number of triangles of each level, as a share of the level before, approximately. Must be above 0 and below 1. At
   /// twice the distance, a plant covers a quarter of the pixels. With a share of 0.25, each level therefore has about
@@ -38,6 +38,6 @@ struct Detail {
 };
 
 /// Throws std::invalid_argument for a level or a share out of range.
-void check_detail(const Detail& detail);
+void check_detail(const MeshDetail& detail);
 
 }  // namespace meristem

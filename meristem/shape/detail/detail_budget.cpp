@@ -84,11 +84,11 @@ double area_of(const Mesh& mesh) {
 
 double about_tube_triangles(const Stem& stem, NodeIndex node) {
   if (stem.skeleton.parent[node] == kNoNode) return 0;
-  const Surface& surface = stem.part(stem.skeleton.axis[node]).surface;
-  return surface.style == Surface::Style::blend ? 0 : 2.0 * surface.sides;
+  const SurfaceOptions& surface = stem.part(stem.skeleton.axis[node]).surface;
+  return surface.style == SurfaceOptions::Style::blend ? 0 : 2.0 * surface.sides;
 }
 
-DetailBudget::DetailBudget(const Plant& plant, const Detail& detail) {
+DetailBudget::DetailBudget(const Plant& plant, const MeshDetail& detail) {
   const auto levels = static_cast<std::size_t>(detail.level) + 1;
   tubes_.assign(levels, 1);
   std::vector<Part> of_prototypes(plant.prototypes.size());

@@ -25,7 +25,7 @@ class DetailBudget {
  public:
   /// Computes the shares. Linear in nodes and organs. A quick detail estimates areas from some triangles of each organ
   /// mesh. The plant must outlive this object.
-  DetailBudget(const Plant& plant, const Detail& detail);
+  DetailBudget(const Plant& plant, const MeshDetail& detail);
 
   double of_tubes(int level) const { return tubes_[static_cast<std::size_t>(level)]; }
   /// `component` must have organs on the plant.

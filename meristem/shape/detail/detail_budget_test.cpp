@@ -50,7 +50,7 @@ TEST(DetailBudget, AllTogetherKeepTheShareOfEachLevel) {
   for (int level = 1; level <= kLevels; ++level) {
     const double kept = budget.of_tubes(level) * tubes + budget.of_organs("leaf", level) * triangles_of(plant, 0) +
                         budget.of_organs("bead", level) * triangles_of(plant, 1);
-    EXPECT_NEAR(kept, Detail{level}.kept() * all, 1e-6 * all) << level;
+    EXPECT_NEAR(kept, MeshDetail{level}.kept() * all, 1e-6 * all) << level;
     EXPECT_LE(budget.of_tubes(level), budget.of_tubes(level - 1));
     EXPECT_LE(budget.of_organs("leaf", level), budget.of_organs("leaf", level - 1));
     EXPECT_LE(budget.of_organs("bead", level), budget.of_organs("bead", level - 1));

@@ -94,7 +94,7 @@ std::vector<std::uint32_t> fewest_triangles(const Skeleton& skeleton, const Axis
   }
   for (AxisIndex axis = 0; axis < nodes.size(); ++axis) {
     const TubeWear& wear = worn.wears[worn.of_axis.empty() ? 0 : worn.of_axis[axis]];
-    const bool is_tube = wear.surface.style == Surface::Style::tubes && !wear.left_out;
+    const bool is_tube = wear.surface.style == SurfaceOptions::Style::tubes && !wear.left_out;
     nodes[axis] = is_tube ? 6 * (2 + nodes[axis] / kLongestQuickRun) : 0;  // three sides
   }
   return nodes;
@@ -244,7 +244,7 @@ OrganChoice choose_organs(const Plant& plant, std::string_view component, const 
 }
 
 /// Coarsens the meshes of the chosen organs.
-void coarsen_chosen(const Plant& plant, const std::vector<OrganChoice>& choices, const Detail& detail,
+void coarsen_chosen(const Plant& plant, const std::vector<OrganChoice>& choices, const MeshDetail& detail,
                     std::vector<std::shared_ptr<const Mesh>>& meshes) {
   std::vector<double> share(meshes.size(), 1);
   for (const OrganChoice& choice : choices) {
@@ -287,7 +287,7 @@ float enlargement(const Plant& plant, const std::vector<std::shared_ptr<const Me
   return std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMaxEnlarged);
 }
 
-OrganDetail plan_organs_quickly(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
+OrganDetail plan_organs_quickly(const Plant& plant, const MeshDetail& detail, const DetailBudget& budget) {
   OrganDetail organs;
   for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
   organs.shown.resize(plant.organs.size(), 0);
@@ -339,7 +339,7 @@ TubePlan plan_quick_tubes(const Skeleton& skeleton, const std::vector<TubeWear>&
   return plan_coarse_tubes(skeleton, std::move(worn), coarse, mesh_of_axis, deformed);
 }
 
-OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
+OrganDetail plan_organs(const Plant& plant, const MeshDetail& detail, const DetailBudget& budget) {
   OrganDetail organs;
   for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
   if (detail.level == 0) return organs;

@@ -46,6 +46,6 @@ struct OrganDetail {
 /// enlarged so that the total area stays, but to at most three times the length. A level shows no organ that the level
 /// before does not show. `budget` is the plant's budget at this level. A quick detail chooses the organs first and then
 /// coarsens only their meshes.
-OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget);
+OrganDetail plan_organs(const Plant& plant, const MeshDetail& detail, const DetailBudget& budget);
 
 }  // namespace meristem

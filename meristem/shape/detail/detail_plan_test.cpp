@@ -57,17 +57,17 @@ Plant leafy_tree(int leaves = 4096) {
 }
 
 /// Returns a tree with a closed body instead of tubes.
-Plant blended_tree(Surface::Shading shading) {
+Plant blended_tree(SurfaceOptions::Shading shading) {
   Plant plant;
   plant.materials.resize(1);
   plant.stems = {gnarled_tree()};
-  plant.stems[0].parts[0].surface.style = Surface::Style::blend;
+  plant.stems[0].parts[0].surface.style = SurfaceOptions::Style::blend;
   plant.stems[0].parts[0].surface.shading = shading;
   plant.stems[0].parts[0].surface.resolution = 60;
   return plant;
 }
 
-MeshScene scene_of(const Plant& plant, const Detail& detail) {
+MeshScene scene_of(const Plant& plant, const MeshDetail& detail) {
   Progress progress;
   return make_mesh_scene(plant, {}, progress, detail);
 }
@@ -130,7 +130,7 @@ TEST(Detail, TubesAndOrgansTogetherFallByTheShare) {
     const MeshScene whole = scene_of(plant, {});
     MeshScene finer = whole;
     for (int level = 1; level <= kLevels; ++level) {
-      const Detail detail{level, share};
+      const MeshDetail detail{level, share};
       MeshScene scene = scene_of(plant, detail);
       const double wanted = detail.kept() * all(whole);
       EXPECT_LE(all(scene), 1.05 * wanted) << level << " " << share;
@@ -145,19 +145,19 @@ TEST(Detail, TubesAndOrgansTogetherFallByTheShare) {
 }
 
 TEST(Detail, BodiesFallByTheShareAndStayClosed) {
-  for (const auto shading : {Surface::Shading::smooth, Surface::Shading::flat}) {
+  for (const auto shading : {SurfaceOptions::Shading::smooth, SurfaceOptions::Shading::flat}) {
     const Plant plant = blended_tree(shading);
     const double whole = triangles_of(scene_of(plant, {}), "tree");
     for (int level = 1; level <= 2; ++level) {
-      const Detail detail{level};
+      const MeshDetail detail{level};
       const MeshScene scene = scene_of(plant, detail);
       EXPECT_NEAR(triangles_of(scene, "tree"), detail.kept() * whole, 0.02 * whole);
       // No single normal fits all triangles at corners as sharp as these.
       Mesh body = *scene.meshes[0].mesh;
-      if (shading == Surface::Shading::smooth) body.normals.clear();
+      if (shading == SurfaceOptions::Shading::smooth) body.normals.clear();
       EXPECT_TRUE(check_mesh(body));
       const bool is_flat = body.vertex_count() == 3 * body.triangle_count();
-      EXPECT_EQ(is_flat, shading == Surface::Shading::flat);
+      EXPECT_EQ(is_flat, shading == SurfaceOptions::Shading::flat);
     }
   }
 }
@@ -172,7 +172,7 @@ TEST(Detail, CoarseTubesStayWhole) {
 TEST(Detail, ThinAxesGoFirst) {
   const Plant plant = leafy_tree(0);
   const Skeleton& tree = plant.stems[0].skeleton;
-  const TubePlan plan = plan_tubes(tree, {{plant.stems[0].parts[0].surface}}, {}, Detail{2}.kept());
+  const TubePlan plan = plan_tubes(tree, {{plant.stems[0].parts[0].surface}}, {}, MeshDetail{2}.kept());
   EXPECT_GT(plan[0].triangles(), 0U);
   for (std::size_t axis = 2; axis < plan.axis_count(); ++axis) {
     EXPECT_TRUE(plan[axis - 1].triangles() > 0 || plan[axis].triangles() == 0) << axis;
@@ -216,7 +216,8 @@ TEST(Detail, HasTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(Detail, RejectsLevelsAndSharesOutOfRange) {
-  for (const Detail& detail : {Detail{-1}, Detail{kCoarsestDetail + 1}, Detail{1, 0}, Detail{1, 1}, Detail{1, -2}}) {
+  for (const MeshDetail& detail :
+       {MeshDetail{-1}, MeshDetail{kCoarsestDetail + 1}, MeshDetail{1, 0}, MeshDetail{1, 1}, MeshDetail{1, -2}}) {
     EXPECT_THROW(scene_of(Plant{}, detail), std::invalid_argument);
   }
 }

@@ -181,7 +181,7 @@ class Flattened {
 
 }  // namespace
 
-MeshScene small_detail(const MeshScene& whole, const Detail& detail, Progress& progress) {
+MeshScene small_detail(const MeshScene& whole, const MeshDetail& detail, Progress& progress) {
   Flattened plant(whole);
   const auto all = static_cast<double>(whole.triangle_count());
   progress.begin("simplifying", static_cast<std::uint64_t>(detail.level));

@@ -17,6 +17,6 @@ inline constexpr std::uint64_t kSmallPlant = 5000;
 /// order in which the plant's outlines suffer least (outline/outline_collapse.h). This ends when the share of triangles
 /// is reached, or when nothing more can be removed. The result stays within the bounds of `whole`. Flat-shaded faces
 /// stay flat-shaded. Begins a stage of `progress`.
-MeshScene small_detail(const MeshScene& whole, const Detail& detail, Progress& progress);
+MeshScene small_detail(const MeshScene& whole, const MeshDetail& detail, Progress& progress);
 
 }  // namespace meristem

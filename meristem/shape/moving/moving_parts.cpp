@@ -50,7 +50,7 @@ Noted after(const std::vector<Noted>& keys, std::size_t now) {
 
 /// Throws InputError if the plant's scene would exceed a limit of meshes.
 void check_scene(const Plant& plant, const std::vector<MeshInstances>& bodies, const std::deque<StemPlan>& stems,
-                 const Limits& limits) {
+                 const SizeLimits& limits) {
   SceneTally tally;
   for (const MeshInstances& body : bodies) tally.add_mesh(body.component, *body.mesh);
   for (const StemPlan& stem : stems) tally.add_tubes(stem.looks, stem.tubes.sizes());

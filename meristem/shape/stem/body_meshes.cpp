@@ -46,7 +46,7 @@ struct BodyTask {
   bool is_crown = false;
 
   const StemPart& first() const { return *parts[0]; }
-  const Surface& surface() const { return first().surface; }
+  const SurfaceOptions& surface() const { return first().surface; }
   int resolution() const { return is_crown ? surface().crown->resolution : surface().resolution; }
   std::optional<int> wanted_triangles() const { return is_crown ? surface().crown->triangles : surface().triangles; }
   /// Returns the origin of the body's mesh. Floats are more precise near it.
@@ -93,9 +93,9 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
   for (const Stem& stem : plant.stems) {
     if (stem.skeleton.node_count() == 0) continue;
     for (BodyTask& group : groups_of(stem)) {
-      const Surface& surface = group.surface();
+      const SurfaceOptions& surface = group.surface();
       const bool has_crown = surface.crown && !surface.crown->hidden;
-      if (surface.style == Surface::Style::blend) tasks.push_back(group);
+      if (surface.style == SurfaceOptions::Style::blend) tasks.push_back(group);
       if (!has_crown) continue;
       group.is_crown = true;
       tasks.push_back(std::move(group));
@@ -107,7 +107,7 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
 /// Returns the body of a task with `resolution` cells along its longest side.
 ImplicitBody body_of(const BodyTask& task, int resolution) {
   const Skeleton& skeleton = task.stem->skeleton_of_surface();
-  Surface surface = task.surface();
+  SurfaceOptions surface = task.surface();
   surface.resolution = resolution;
   const Vec3 origin = task.undeformed_origin();
   if (!task.is_crown) {
@@ -126,7 +126,7 @@ ImplicitBody body_of(const BodyTask& task, int resolution) {
 
 /// Returns the wanted number of triangles for a body of `made` triangles. `wanted` is the maximum that the document
 /// sets.
-std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const Detail& detail) {
+std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const MeshDetail& detail) {
   const std::size_t whole = wanted ? std::min(made, static_cast<std::size_t>(*wanted)) : made;
   const auto wanted_at_level = static_cast<std::size_t>(detail.kept() * static_cast<double>(whole));
   return std::max(wanted_at_level, std::min(whole, detail.is_quick ? kFewestQuickTriangles : kFewestTriangles));
@@ -139,7 +139,7 @@ double about_triangles(int resolution, const std::optional<int>& wanted) {
 }
 
 /// Returns the number of cells along the longest side of a body. A quick level has as many as its triangles need.
-int resolution_of(const BodyTask& task, const std::optional<int>& wanted, const Detail& detail) {
+int resolution_of(const BodyTask& task, const std::optional<int>& wanted, const MeshDetail& detail) {
   const int whole = task.resolution();
   if (!detail.is_quick || detail.level == 0) return whole;
   const double triangles =
@@ -148,10 +148,10 @@ int resolution_of(const BodyTask& task, const std::optional<int>& wanted, const 
   return std::min(whole, std::max(kFewestQuickCells, static_cast<int>(std::ceil(cells))));
 }
 
-Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, Progress& progress) {
-  const Surface& surface = task.surface();
+Mesh mesh_of(const BodyTask& task, const MeshDetail& detail, const SizeLimits& limits, Progress& progress) {
+  const SurfaceOptions& surface = task.surface();
   const std::optional<int> triangles = task.wanted_triangles();
-  const bool is_flat = surface.shading == Surface::Shading::flat;
+  const bool is_flat = surface.shading == SurfaceOptions::Shading::flat;
   IsosurfaceOptions options;
   options.resolution = resolution_of(task, triangles, detail);
   options.normals = !is_flat;
@@ -174,8 +174,8 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
 }
 
 /// Meshes the tasks whose indices are in `missing`.
-void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size_t>& missing, const Detail& detail,
-                 const Limits& limits, Progress& progress, std::vector<std::shared_ptr<const Mesh>>& meshes) {
+void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size_t>& missing, const MeshDetail& detail,
+                 const SizeLimits& limits, Progress& progress, std::vector<std::shared_ptr<const Mesh>>& meshes) {
   const auto mesh_one = [&](std::size_t task, Progress& told) {
     meshes[task] = std::make_shared<const Mesh>(mesh_of(tasks[task], detail, limits, told));
   };
@@ -194,8 +194,8 @@ void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size
 }
 
 /// Returns the hash of everything that shapes a body.
-std::uint64_t key_of(const BodyTask& task, const Detail& detail, const Limits& limits) {
-  static_assert(std::has_unique_object_representations_v<Limits>);
+std::uint64_t key_of(const BodyTask& task, const MeshDetail& detail, const SizeLimits& limits) {
+  static_assert(std::has_unique_object_representations_v<SizeLimits>);
   Fingerprint key;
   add_skeleton(*task.stem, key);
   add_detail(detail, key);
@@ -232,10 +232,10 @@ double about_body_triangles(const Plant& plant) {
   return triangles;
 }
 
-void add_thickening(const Plant& plant, Thickening& whole) {
+void add_thickening(const Plant& plant, BodyThickening& whole) {
   for (const BodyTask& task : tasks_of(plant)) {
     if (task.is_crown) continue;
-    const Thickening thickening = find_thickening(task.stem->skeleton_of_surface(), task.axes(), task.surface());
+    const BodyThickening thickening = find_thickening(task.stem->skeleton_of_surface(), task.axes(), task.surface());
     whole.min_radius = std::max(whole.min_radius, thickening.min_radius);
     whole.length += thickening.length;
     whole.thickened += thickening.thickened;
@@ -247,8 +247,8 @@ void add_thickening(const Plant& plant, Thickening& whole) {
 bool has_bodies(const Plant& plant) {
   return std::ranges::any_of(plant.stems, [](const Stem& stem) {
     return std::ranges::any_of(stem.parts, [](const StemPart& part) {
-      const Surface& surface = part.surface;
-      return surface.style == Surface::Style::blend || (surface.crown && !surface.crown->hidden);
+      const SurfaceOptions& surface = part.surface;
+      return surface.style == SurfaceOptions::Style::blend || (surface.crown && !surface.crown->hidden);
     });
   });
 }
@@ -265,7 +265,7 @@ std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progr
   return found;
 }
 
-std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
+std::vector<MeshInstances> make_body_meshes(const Plant& plant, const MeshDetail& detail, const SizeLimits& limits,
                                             std::vector<Material>& materials, Progress& progress, CacheRun& results) {
   const std::vector<BodyTask> tasks = tasks_of(plant);
   std::vector<CacheKey> keys;

@@ -14,7 +14,7 @@
 namespace meristem {
 
 /// Adds the thickening of the blended bodies of all stems to `whole`. The least radius is the largest of all bodies.
-void add_thickening(const Plant& plant, Thickening& whole);
+void add_thickening(const Plant& plant, BodyThickening& whole);
 /// Returns true if any stem has a blended body or a visible crown body.
 bool has_bodies(const Plant& plant);
 
@@ -37,7 +37,7 @@ std::vector<BodyCells> find_body_cells(const Plant& plant, const Progress& progr
 /// triangles, but to no fewer than 200. A quick detail first makes them of larger cells, and keeps at least 60
 /// triangles. Begins stages of `progress` if there are bodies. Bodies found in `results` are not made again. Throws
 /// like extract_isosurface, at the component's surface.
-std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
+std::vector<MeshInstances> make_body_meshes(const Plant& plant, const MeshDetail& detail, const SizeLimits& limits,
                                             std::vector<Material>& materials, Progress& progress, CacheRun& results);
 
 }  // namespace meristem

@@ -15,7 +15,7 @@ namespace meristem::body_meshes_test {
 CacheRun uncached(nullptr, {});
 
 /// Returns one fork of component "tree" with that surface.
-Plant fork_in(const Surface& surface) {
+Plant fork_in(const SurfaceOptions& surface) {
   Plant plant;
   plant.materials.resize(1);
   plant.materials[0].name = "bark";
@@ -26,14 +26,16 @@ Plant fork_in(const Surface& surface) {
   return plant;
 }
 
-MeshScene scene_of(const Plant& plant, const Limits& limits = {}) {
+MeshScene scene_of(const Plant& plant, const SizeLimits& limits = {}) {
   Progress progress;
   return make_mesh_scene(plant, limits, progress);
 }
 
-Surface blended(int resolution = 40) { return {.style = Surface::Style::blend, .resolution = resolution}; }
+SurfaceOptions blended(int resolution = 40) {
+  return {.style = SurfaceOptions::Style::blend, .resolution = resolution};
+}
 
-std::string error_path(const Plant& plant, const Limits& limits) {
+std::string error_path(const Plant& plant, const SizeLimits& limits) {
   try {
     scene_of(plant, limits);
   } catch (const InputError& error) {
@@ -60,8 +62,8 @@ TEST(BodyMeshes, TubesHaveNone) {
 }
 
 TEST(BodyMeshes, CrownsHaveTheirOwnColour) {
-  for (const Surface::Style style : {Surface::Style::tubes, Surface::Style::blend}) {
-    Surface surface = blended();
+  for (const SurfaceOptions::Style style : {SurfaceOptions::Style::tubes, SurfaceOptions::Style::blend}) {
+    SurfaceOptions surface = blended();
     surface.style = style;
     surface.crown = CrownBody{.diameter = 0.4F, .colour = {0.1F, 0.7F, 0.2F}};
     const MeshScene scene = scene_of(fork_in(surface));
@@ -90,11 +92,11 @@ TEST(BodyMeshes, HaveNoTextures) {
 }
 
 TEST(BodyMeshes, HaveAtMostSoManyTriangles) {
-  Surface surface = blended(60);
+  SurfaceOptions surface = blended(60);
   surface.crown = CrownBody{.diameter = 0.4F, .fuse = 0.4F};
   surface.triangles = 300;
   surface.crown->triangles = 100;
-  for (const Surface::Shading shading : {Surface::Shading::smooth, Surface::Shading::flat}) {
+  for (const SurfaceOptions::Shading shading : {SurfaceOptions::Shading::smooth, SurfaceOptions::Shading::flat}) {
     surface.shading = shading;
     const MeshScene scene = scene_of(fork_in(surface));
     ASSERT_EQ(scene.meshes.size(), 2U);
@@ -106,8 +108,8 @@ TEST(BodyMeshes, HaveAtMostSoManyTriangles) {
 }
 
 TEST(BodyMeshes, FlatShadedShareNoVertices) {
-  Surface surface = blended();
-  surface.shading = Surface::Shading::flat;
+  SurfaceOptions surface = blended();
+  surface.shading = SurfaceOptions::Shading::flat;
   const MeshScene scene = scene_of(fork_in(surface));
   const Mesh& mesh = *scene.meshes.at(0).mesh;
   EXPECT_EQ(mesh.vertex_count(), 3 * mesh.triangle_count());

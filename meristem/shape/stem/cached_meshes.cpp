@@ -48,7 +48,7 @@ void add_skeleton(const Stem& stem, Fingerprint& to) {
   for (const auto& [name, values] : extra) to.add_text(name).add_array(values);
 }
 
-void add_surface(const Surface& surface, Fingerprint& to) {
+void add_surface(const SurfaceOptions& surface, Fingerprint& to) {
   const auto& [style, shading, crown, sides, error, uv_scale, smooth, collar, flare, cap, resolution, blend, thicken,
                triangles] = surface;
   to.add(style).add(shading).add(crown.has_value());
@@ -58,7 +58,9 @@ void add_surface(const Surface& surface, Fingerprint& to) {
   add_optional(triangles, to);
 }
 
-void add_detail(const Detail& detail, Fingerprint& to) { to.add(detail.level).add(detail.share).add(detail.is_quick); }
+void add_detail(const MeshDetail& detail, Fingerprint& to) {
+  to.add(detail.level).add(detail.share).add(detail.is_quick);
+}
 
 std::uint64_t StemTubes::bytes() const {
   std::uint64_t sum = 0;

@@ -50,7 +50,7 @@ struct VariantMeshes {
 
 /// Adds everything that shapes a stem's meshes except its surface.
 void add_skeleton(const Stem& stem, Fingerprint& to);
-void add_surface(const Surface& surface, Fingerprint& to);
-void add_detail(const Detail& detail, Fingerprint& to);
+void add_surface(const SurfaceOptions& surface, Fingerprint& to);
+void add_detail(const MeshDetail& detail, Fingerprint& to);
 
 }  // namespace meristem

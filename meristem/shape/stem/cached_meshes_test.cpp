@@ -10,7 +10,7 @@
 namespace meristem::cached_meshes_test {
 
 /// Returns a pole with a branch of another component.
-Stem forked(float height, Surface surface = {}) {
+Stem forked(float height, SurfaceOptions surface = {}) {
   Stem stem;
   stem.parts.resize(2);
   stem.parts[0].component = "pole";
@@ -28,9 +28,9 @@ Stem forked(float height, Surface surface = {}) {
   return stem;
 }
 
-Surface blended() {
-  Surface surface;
-  surface.style = Surface::Style::blend;
+SurfaceOptions blended() {
+  SurfaceOptions surface;
+  surface.style = SurfaceOptions::Style::blend;
   surface.resolution = 20;
   return surface;
 }
@@ -45,15 +45,15 @@ Plant small_plant() {
   return plant;
 }
 
-MeshScene scene_of(const Plant& plant, Cache& cache, const Detail& detail = {}) {
+MeshScene scene_of(const Plant& plant, Cache& cache, const MeshDetail& detail = {}) {
   Progress progress;
-  return make_mesh_scene(plant, Limits(), progress, detail, &cache);
+  return make_mesh_scene(plant, SizeLimits(), progress, detail, &cache);
 }
 
 /// Expects a scene that equals the scene made without a cache, mesh for mesh.
-void expect_as_without(const MeshScene& scene, const Plant& plant, const Detail& detail = {}) {
+void expect_as_without(const MeshScene& scene, const Plant& plant, const MeshDetail& detail = {}) {
   Progress progress;
-  const MeshScene plain = make_mesh_scene(plant, Limits(), progress, detail);
+  const MeshScene plain = make_mesh_scene(plant, SizeLimits(), progress, detail);
   ASSERT_EQ(scene.meshes.size(), plain.meshes.size());
   for (std::size_t k = 0; k < plain.meshes.size(); ++k) {
     EXPECT_EQ(scene.meshes[k].component, plain.meshes[k].component);
@@ -86,7 +86,7 @@ TEST(CachedMeshes, StemsThatHaveNotChangedKeepTheirMeshes) {
 
 TEST(CachedMeshes, WhatClothesAStemTellsItApart) {
   const Plant plain = small_plant();
-  const auto made_after = [&](const Plant& changed, const Detail& detail = {}) {
+  const auto made_after = [&](const Plant& changed, const MeshDetail& detail = {}) {
     Cache cache;
     scene_of(plain, cache);
     expect_as_without(scene_of(changed, cache, detail), changed, detail);
@@ -149,8 +149,8 @@ TEST(CachedMeshes, StaysInOrderWhenCancelledOrTooLarge) {
   plant.stems[0].skeleton.radius[3] = 0.06F;
   Progress stopped;
   stopped.cancel();
-  EXPECT_THROW(make_mesh_scene(plant, Limits(), stopped, {}, &cache), Cancelled);
-  Limits few;
+  EXPECT_THROW(make_mesh_scene(plant, SizeLimits(), stopped, {}, &cache), Cancelled);
+  SizeLimits few;
   few.triangles = 10;
   Progress progress;
   EXPECT_THROW(make_mesh_scene(plant, few, progress, {}, &cache), InputError);

@@ -33,7 +33,7 @@ void SceneTally::add_organs(const std::string& component, const Mesh& mesh, std:
   bytes_[component] += mesh.bytes() + count * sizeof(Frame);
 }
 
-void SceneTally::check(const Limits& limits) const {
+void SceneTally::check(const SizeLimits& limits) const {
   check(triangles_, "triangles", limits.triangles, "triangles");
   check(bytes_, "bytes of geometry", limits.mesh_bytes, "mesh_bytes");
 }

@@ -27,7 +27,7 @@ class SceneTally {
   void add_organs(const std::string& component, const Mesh& mesh, std::uint64_t count);
 
   /// Throws InputError at the largest component if the total exceeds a limit.
-  void check(const Limits& limits) const;
+  void check(const SizeLimits& limits) const;
 
  private:
   using Amounts = std::map<std::string, std::uint64_t, std::less<>>;  // by component

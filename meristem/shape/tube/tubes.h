@@ -41,7 +41,7 @@ class TubePlan;
 /// The mesh is empty if `surface.style` is not `tubes`. Counts the skeleton's nodes in the caller's stage of
 /// `progress`. Throws Cancelled. Throws std::invalid_argument if the mesh would need more than 2^32 vertices, or if
 /// `surface.uv_scale` is not above 0. Deterministic on any number of threads. The cost is linear in nodes.
-Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
+Mesh make_tubes(const Skeleton& skeleton, const SurfaceOptions& surface, Progress& progress);
 
 /// Returns the tubes of a skeleton whose axes have different surfaces: the meshes of a plan (tube_plan.h).
 std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress);

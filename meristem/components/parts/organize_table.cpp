@@ -104,14 +104,14 @@ const ParameterTable& shedding_table() {
 
 const ParameterTable& bearing_table() {
   static const ParameterTable table =
-      Table<Bearing>("bearing", "Fruits on dormant lateral buds, and the resource that they take.")
-          .number("cost", &Bearing::cost, {.min = 0, .max = 1000, .usual = {0, 2}},
+      Table<FruitBearing>("bearing", "Fruits on dormant lateral buds, and the resource that they take.")
+          .number("cost", &FruitBearing::cost, {.min = 0, .max = 1000, .usual = {0, 2}},
                   "Resource that each fruit takes from the tree; raised, less growth, and fewer flowers in the next "
                   "year: the tree bears every other year.")
           .number(
-              "threshold", &Bearing::threshold, {.min = 0, .max = 1000, .usual = {0, 2}},
+              "threshold", &FruitBearing::threshold, {.min = 0, .max = 1000, .usual = {0, 2}},
               "Resource of a dormant lateral bud from which it flowers in the next iteration; raised, fewer fruits.")
-          .integer("age", &Bearing::age, {.min = 0, .max = 65535, .usual = {0, 10}},
+          .integer("age", &FruitBearing::age, {.min = 0, .max = 65535, .usual = {0, 10}},
                    "Number of iterations from the growth of a bud until it may flower.");
   return table;
 }

@@ -17,11 +17,11 @@ void Crop::begin(const Metamers& metamers, int iteration) {
   }
 }
 
-double Crop::share_of(double whole, const Bearing& bearing) const {
+double Crop::share_of(double whole, const FruitBearing& bearing) const {
   return whole > 0 ? std::min(1.0, bearing.cost * fruits_ / whole) : 0;
 }
 
-void Crop::choose(const Metamers& metamers, const ResourceFlow& flow, const Bearing& bearing, int iteration) {
+void Crop::choose(const Metamers& metamers, const ResourceFlow& flow, const FruitBearing& bearing, int iteration) {
   chosen_.assign(metamers.count(), 0);
   for (MetamerIndex metamer = 1; metamer < metamers.count(); ++metamer) {
     const bool is_old_enough = metamers.birth[metamer] + bearing.age <= iteration;

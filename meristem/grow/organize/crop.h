@@ -18,9 +18,9 @@ class Crop {
   /// Further calls for the same iteration change nothing.
   void begin(const Metamers& metamers, int iteration);
   /// Returns the share of the tree's resource that the fruits take, 0 to 1. `whole` is the resource without fruits.
-  double share_of(double whole, const Bearing& bearing) const;
+  double share_of(double whole, const FruitBearing& bearing) const;
   /// Chooses the buds that will bear in the next iteration, by their resource in this one.
-  void choose(const Metamers& metamers, const ResourceFlow& flow, const Bearing& bearing, int iteration);
+  void choose(const Metamers& metamers, const ResourceFlow& flow, const FruitBearing& bearing, int iteration);
   /// Returns true if the lateral bud of a metamer bears a fruit in this iteration.
   bool bears(MetamerIndex metamer) const { return metamer < bears_.size() && bears_[metamer] != 0; }
   /// Updates the indices after Metamers::remove().

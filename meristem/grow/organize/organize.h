@@ -81,7 +81,7 @@ struct BranchShedding {
 
 /// Fruits on dormant lateral buds. They take resource from the tree, and buds need resource to flower, so trees may
 /// bear every other year.
-struct Bearing {
+struct FruitBearing {
   double cost = 0.5;       ///< resource that a fruit takes from the tree; larger: less growth and fewer flowers
   double threshold = 0.5;  ///< resource of a dormant lateral bud from which it flowers in the next iteration
   int age = 2;             ///< iterations from the growth of a bud until it may flower
@@ -118,7 +118,7 @@ struct OrganizeParameters {
   BranchShedding shedding;                  ///< branches that are shed
   std::optional<BranchSag> sag;             ///< bending under load; unset: no bending
   PipeModel radii;                          ///< radii of the finished skeleton
-  std::optional<Bearing> bearing;           ///< fruits; unset: none
+  std::optional<FruitBearing> bearing;           ///< fruits; unset: none
   std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
   std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
   double callus = 0;  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads

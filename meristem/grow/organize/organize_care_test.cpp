@@ -175,7 +175,7 @@ TEST(OrganizeCare, IsTheSameOnAnyNumberOfThreads) {
   const auto grown_on = [](int threads) {
     const ThreadLimit limit(threads);
     OrganizeParameters parameters = halved(14, 0.5);
-    parameters.bearing = Bearing();
+    parameters.bearing = FruitBearing();
     parameters.water_shoots = WaterShoots();
     parameters.closure = 0.001;
     parameters.shedding = {.below = 0.1, .resource = 0.1};

@@ -31,14 +31,16 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
-  std::optional<int> step;   // step of growth that is shown
-  std::optional<int> lod;    // number of coarser levels of detail
-  std::optional<int> cards;  // number of upright cards of a last level
-  bool instanced = false;    // true: leaves are written as rows of arrays
-  bool nodes = false;        // never, but nodes where there are many
-  bool obstacles = false;    // true: files with meshes contain the obstacles
-  bool animated = false;     // true: the whole animation is written
-  std::optional<int> keys;   // number of times of the animation
+  std::optional<int> step;        // step of growth that is shown
+  std::optional<int> lod;         // number of coarser levels of detail
+  std::optional<int> cards;       // number of upright cards of a last level
+  bool instanced = false;         // true: leaves are written as rows of arrays
+  bool nodes = false;             // never, but nodes where there are many
+  bool obstacles = false;         // true: files with meshes contain the obstacles
+  bool shared = false;            // true: faces of .ply share vertices, without normals
+  std::vector<std::string> only;  // objects that files with meshes contain; empty: all
+  bool animated = false;          // true: the whole animation is written
+  std::optional<int> keys;        // number of times of the animation
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -86,6 +88,15 @@ void check_options(const GrowOptions& options, const std::vector<const FileForma
     throw InputError(Diagnostic{.message = "--obstacles changes none of the files",
                                 .expected = "a file that ends in .glb, .obj or .ply"});
   }
+  if (!options.only.empty() && std::none_of(formats.begin(), formats.end(), has_meshes)) {
+    throw InputError(Diagnostic{.message = "--only changes none of the files",
+                                .expected = "a file that ends in .glb, .obj or .ply"});
+  }
+  const auto is_ply = [](const FileFormat* format) { return format->ending == ".ply"; };
+  if (options.shared && std::none_of(formats.begin(), formats.end(), is_ply)) {
+    throw InputError(
+        Diagnostic{.message = "--shared-vertices changes none of the files", .expected = "a file that ends in .ply"});
+  }
   const auto can_instance = [](const FileFormat* format) { return format->can_instance; };
   if (options.instances() == GltfInstances::automatic) return;
   if (std::any_of(formats.begin(), formats.end(), can_instance)) return;
@@ -112,6 +123,8 @@ void check_animated(const GrowOptions& options, bool has_time) {
   if (options.instanced) throw cannot_animate("--instanced");
   if (options.nodes) throw cannot_animate("--nodes");
   if (options.obstacles) throw cannot_animate("--obstacles");
+  if (options.shared) throw cannot_animate("--shared-vertices");
+  if (!options.only.empty()) throw cannot_animate("--only");
   for (const std::string& output : options.outputs) check_moving_file(output);
   const int max = static_cast<int>(kMaxKeys);
   if (options.keys && (*options.keys < 2 || *options.keys > max)) {
@@ -249,7 +262,11 @@ void grow(const GrowOptions& options, bool has_time) {
     warnings = grown.warnings;
     EncodedPictures pictures;
     FileSet files;
-    const FormatOptions format{.instances = options.instances(), .pictures = &pictures, .obstacles = options.obstacles};
+    const FormatOptions format{.instances = options.instances(),
+                               .pictures = &pictures,
+                               .obstacles = options.obstacles,
+                               .shared_vertices = options.shared,
+                               .only = options.only};
     const std::string written = write_level(document, grown, levels[0], format, progress);
     summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
     const std::vector<std::string> coarser = write_coarser(document, grown, levels, format, progress);
@@ -305,6 +322,14 @@ void add_grow(CLI::App& app, Run& run) {
       ->excludes(instanced);
   command->add_flag("--obstacles", options->obstacles,
                     "Also write the scene's visible obstacles into .glb, .obj and .ply");
+  command
+      ->add_option("--only", options->only,
+                   "Write only these objects into .glb, .obj and .ply: ids of components, and the id with _crown for a "
+                   "crown body, such as tree or tree_crown")
+      ->type_name("OBJECT");
+  command->add_flag("--shared-vertices", options->shared,
+                    "Leave normals and texture coordinates out of .ply, so that the faces of a mesh share vertices, as "
+                    "programs for 3D printing want them");
   command->footer(endings_of(formats()) +
                   "Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
   command->callback(

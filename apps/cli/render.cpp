@@ -29,6 +29,7 @@
 #include "meristem/export/picture/picture_fingerprint.h"
 #include "meristem/export/picture/truth.h"
 #include "meristem/export/picture/truth_files.h"
+#include "meristem/output/mesh/chosen_objects.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/free_side.h"
@@ -52,7 +53,8 @@ struct RenderOptions {
   bool no_plant = false;         // true: only overlays and obstacles are drawn
   bool transparent = false;
   bool hull = false;
-  bool fingerprint = false;  // true: prints a fingerprint of the picture instead of drawing it
+  std::vector<std::string> only;  // objects that are drawn; empty: all
+  bool fingerprint = false;       // true: prints a fingerprint of the picture instead of drawing it
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
   MeshDetail detail;
@@ -275,6 +277,7 @@ class PictureTaker {
                             .cache = is_still_ ? nullptr : &cache_,
                             .view = view,
                             .keeps_plant = keeps_plant()});
+    if (!chosen_.only.empty()) grown_.meshes = chosen_objects(grown_.meshes, chosen_.only, "--only");
     if (chosen_.cards) grown_.meshes = make_cards(grown_.meshes, {.cards = *chosen_.cards}, terminal_.progress());
   }
 
@@ -303,6 +306,7 @@ std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>&
   all.add(picture.still.width).add(picture.still.height).add(picture.still.samples).add(picture.still.transparent);
   all.add_text(options.show).add(options.step.value_or(-1)).add(options.no_plant);
   all.add(options.hull).add(options.detail.level).add(options.cards.value_or(0));
+  for (const std::string& object : options.only) all.add_text(object);
   for (const Picture& one : pictures) all.add(one.time).add(one.turn);
   return all.hash();
 }
@@ -321,6 +325,7 @@ std::string other_picture(const RenderOptions& options) {
   if (options.detail.level > 0) return "--lod";
   if (!options.show.empty()) return "--show";
   if (options.hull) return "--hull";
+  if (!options.only.empty()) return "--only";
   return options.no_plant ? "--no-plant" : "";
 }
 
@@ -488,6 +493,11 @@ void add_render(CLI::App& app, Run& run) {
       ->add_option("--show", options->show,
                    "Draw these over the plant, with a legend: a list of names separated by commas (see below)")
       ->type_name("NAMES");
+  command
+      ->add_option("--only", options->only,
+                   "Draw only these objects: ids of components, and the id with _crown for a crown body, such as tree "
+                   "or tree_crown")
+      ->type_name("OBJECT");
   command->add_flag("--no-plant", options->no_plant,
                     "Leave out the plants themselves, so that what --show names is seen alone");
   command

@@ -10,6 +10,7 @@
 #include "meristem/base/version.h"
 #include "meristem/export/overlay/trace_csv.h"
 #include "meristem/measure/surface_labels.h"
+#include "meristem/output/mesh/chosen_objects.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
 #include "meristem/output/picture/obstacle_meshes.h"
@@ -33,11 +34,14 @@ std::vector<std::string> obj_companions(const Document& document, const std::str
   return paths;
 }
 
-/// Calls `write` with the meshes, and with the meshes of the scene's obstacles if options request them.
+/// Calls `write` with the chosen meshes, and with the meshes of the scene's obstacles if options request them.
 template <class Write>
 void write_meshes(const Document& document, const GrownDocument& grown, const FormatOptions& options, Write write) {
-  if (!options.obstacles || !has_visible(document.scene.obstacles)) return write(grown.meshes);
-  write(with_obstacles(grown.meshes, document.scene.obstacles));
+  const bool has_obstacles = options.obstacles && has_visible(document.scene.obstacles);
+  if (options.only.empty() && !has_obstacles) return write(grown.meshes);
+  const MeshScene chosen = chosen_objects(grown.meshes, options.only, "--only");
+  if (!has_obstacles) return write(chosen);
+  write(with_obstacles(chosen, document.scene.obstacles));
 }
 
 constexpr FileFormat kFormats[] = {
@@ -73,7 +77,9 @@ constexpr FileFormat kFormats[] = {
          [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
             Progress& progress) {
            write_meshes(document, grown, options, [&](const MeshScene& meshes) {
-             write_mesh_ply(meshes, path, {provenance_of(document)}, progress);
+             write_mesh_ply(meshes, path,
+                            {.provenance = provenance_of(document), .shared_vertices = options.shared_vertices},
+                            progress);
            });
          },
      .needs = GrownPart::meshes},

@@ -19,6 +19,8 @@ struct FormatOptions {
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; may be null
   bool obstacles = false;                              ///< if true, formats with meshes contain the scene's obstacles
                                                        ///< as well
+  bool shared_vertices = false;                        ///< if true, PLY leaves out normals and texture coordinates
+  std::vector<std::string> only{};                     ///< objects that formats with meshes contain; empty: all
 };
 
 /// Returns the origin of a document that is written to its files.

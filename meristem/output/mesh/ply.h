@@ -16,6 +16,8 @@ namespace meristem {
 struct PlyOptions {
   Provenance provenance;                  ///< written as comments
   const SurfaceLabels* labels = nullptr;  ///< labels of the meshes; null: faces have no labels
+  bool shared_vertices = false;           ///< if true, leaves out normals and texture coordinates, and faces share
+                                          ///< vertices, so that closed meshes are closed by their indices
 };
 
 /// Writes `scene` as one mesh in binary little-endian PLY, in metres, y up.
@@ -27,9 +29,9 @@ struct PlyOptions {
 /// `int`, -1 if there is no such object. An element `shoot` then has the label of each shoot, `list uchar uchar label`.
 /// Instances are flattened.
 ///
-/// Streams: memory beyond the scene stays below 64 MB. The file appears whole or not at all. "-" is standard output.
-/// Throws MachineError (path, disk) and Cancelled. Throws InputError for numbers that are not finite, and for more
-/// vertices or triangles than an `int` can count.
+/// Streams: memory beyond the scene stays below 64 MB, or with shared vertices 8 bytes per vertex more. The file
+/// appears whole or not at all. "-" is standard output. Throws MachineError (path, disk) and Cancelled. Throws
+/// InputError for numbers that are not finite, and for more vertices or triangles than an `int` can count.
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress);
 
 /// Writes the skeletons of `plant` as points and edges in binary little-endian PLY, in metres, y up. A vertex has the

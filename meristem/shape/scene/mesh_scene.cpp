@@ -22,6 +22,10 @@ bool contains(const Box& outer, const Box& inner) {
 
 }  // namespace
 
+std::string object_name(const MeshInstances& instances) {
+  return instances.is_crown ? instances.component + "_crown" : instances.component;
+}
+
 std::uint64_t MeshScene::triangle_count() const {
   std::uint64_t count = 0;
   for (const MeshInstances& instances : meshes) count += instances.triangle_count();

@@ -29,6 +29,7 @@ struct MeshInstances {
   /// The part of the plant that the mesh shows. Null if it is unknown, as in coarser levels of small plants and in
   /// obstacles.
   std::shared_ptr<const MeshOrigin> origin{};
+  bool is_crown = false;  ///< true: a crown body, which is an object of its own in files
 
   /// Returns the number of places of the plant that has the part.
   std::size_t place_count() const { return places == nullptr ? 1 : places->size(); }
@@ -45,6 +46,9 @@ struct MeshInstances {
   /// Returns the individual of an instance.
   std::uint32_t individual(std::size_t instance) const { return individuals.empty() ? 0 : individuals[instance]; }
 };
+
+/// Returns the name of the mesh's object in files: the component, with "_crown" for crown bodies.
+std::string object_name(const MeshInstances& instances);
 
 /// Meshes, materials and instances. All exports are written from a mesh scene.
 struct MeshScene {

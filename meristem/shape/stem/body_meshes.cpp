@@ -285,6 +285,7 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const MeshDetail
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     const StemPart& part = tasks[k].first();
     made[k].component = part.component;
+    made[k].is_crown = tasks[k].is_crown;
     made[k].mesh = std::move(meshes[k]);
     made[k].material = number_of(material_of(tasks[k], plant.materials[part.material]), materials);
     made[k].frames = {Frame{.origin = tasks[k].origin()}};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kUnnumbered = 0xffffffff;
 
-/// Returns the numbers by which vertices are compared.
+/// Returns the numbers of a vertex that are compared: its position and, if `by_uvs`, its texture coordinates.
 std::array<float, 5> key_of(const Mesh& mesh, std::uint32_t vertex, bool by_uvs) {
   const Vec3 at = mesh.positions[vertex];
   const Vec2 uv = by_uvs ? mesh.uvs[vertex] : Vec2(0);

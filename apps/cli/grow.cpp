@@ -20,6 +20,7 @@
 #include "meristem/export/moving_file.h"
 #include "meristem/export/output_files.h"
 #include "meristem/measure/counts.h"
+#include "meristem/output/mesh/chosen_objects.h"
 #include "meristem/output/picture/cards.h"
 #include "terminal.h"
 
@@ -272,8 +273,11 @@ void grow(const GrowOptions& options, bool has_time) {
     const std::vector<std::string> coarser = write_coarser(document, grown, levels, format, progress);
     summary.insert(summary.end(), coarser.begin(), coarser.end());
     if (!cards.empty()) {
-      grown.meshes = make_cards(grown.meshes, {.cards = card_count}, progress);
-      const std::string shown = write_level(document, grown, cards, format, progress);
+      // The cards show only the chosen objects, and are no objects of the plant themselves.
+      grown.meshes = make_cards(chosen_objects(grown.meshes, options.only, "--only"), {.cards = card_count}, progress);
+      FormatOptions of_cards = format;
+      of_cards.only = {};
+      const std::string shown = write_level(document, grown, cards, of_cards, progress);
       summary.push_back(fmt::format("{}: {} triangles", shown, grown.meshes.triangle_count()));
     }
     files.commit();

@@ -71,7 +71,8 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   const bool is_film = out.grows_in_time();
   std::vector<std::uint8_t> shed;
   if (tree.shed) {
-    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &out.scene());
+    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &out.scene(),
+                       &out.progress());
   }
   if (tree.shed && is_film) {
     let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);
@@ -94,7 +95,8 @@ MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
 /// Warns if no root can reach its crown within the iterations. Compares with the box around the crown, so it misses
 /// crowns that are only just out of reach.
 void warn_of_bare_stems(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
-  if (!tree.crown || tree.points.file || reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  if (!tree.crown || tree.points.file || tree.roots.empty()) return;
+  if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
   const CrownPointer crown = build_crown(*tree.crown);
   if (crown->bounds().is_empty()) return;
   double nearest = std::numeric_limits<double>::infinity();

@@ -236,6 +236,9 @@ void check_uncut(const Organize& tree, const DocumentPath& path, ParameterReader
   if (tree.growth.resource.pass_back != plain.resource.pass_back)
     warn(DocumentPath(resource, "pass_back"), "pass_back");
   if (!tree.growth.damage) warn(DocumentPath(path, "damage"), "damage");
+  if (tree.growth.callus > 0) warn(DocumentPath(path, "callus"), "callus");
+  if (tree.growth.closure) warn(DocumentPath(path, "closure"), "closure");
+  if (tree.growth.water_shoots) warn(DocumentPath(path, "water_shoots"), "water_shoots");
 }
 
 /// Warns of lateral buds that need not wait but open with or after their terminal buds all the same.

@@ -31,6 +31,8 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
                            .parent = site,
                            .places = out.places_on_next_stem(),
                            .limits = &out.limits(),
+                           .scene = &out.scene(),
+                           .progress = &out.progress(),
                            .path = "components." + out.component()};
   const Mat3 to_stem = glm::transpose(site.frame.axes);
   std::vector<StemBend> bends;

@@ -107,7 +107,11 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
     return expand(document.graph, document.scene, options.time, progress, expansion);
   });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
+  // A world may turn gravity, so that shade without 'lean' does not fall straight down.
+  const bool has_world = std::ranges::any_of(
+      document.graph.components, [](const Prototype& component) { return component.type->name == "world"; });
   for (const Prototype& component : document.graph.components) {
+    if (has_world) break;
     if (!leans_in_vain(component, document.scene.light)) continue;
     grown.warnings.push_back({.severity = Severity::warning,
                               .message = "'lean' has no effect: the light of the scene comes from straight above",

@@ -109,6 +109,7 @@ class LinkSites::Writer {
                              .limits = &all_.graph_.limits,
                              .obstacles = &all_.scene_.obstacles,
                              .scene = &all_.scene_,
+                             .progress = &progress_,
                              .time = all_.time_,
                              .path = link_path(all_.graph_, index_)};
     context.parent.key = child_key(stem.site.key);

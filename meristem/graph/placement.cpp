@@ -127,7 +127,8 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Skeleto
                                          const BranchPlacement& placement, const PlacementContext& context) {
   if (context.everywhere) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   if (placement.where) {
-    return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"), context.scene);
+    return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"), context.scene,
+                       context.progress);
   }
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;

@@ -81,6 +81,7 @@ struct PlacementContext {
   const SizeLimits* limits = nullptr;    ///< limits of the document; must not be null
   const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: no obstacles
   const Scene* scene = nullptr;          ///< light for conditions on skeletons without light; null: it is 0 there
+  const Progress* progress = nullptr;    ///< stops long conditions; null: they are not stopped
   double time = 0;                       ///< the document's time for expressions, seconds
   bool everywhere = false;               ///< true: all parts of the skeleton carry children, whatever the placement
                                          ///< selects

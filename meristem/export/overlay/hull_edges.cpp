@@ -90,7 +90,8 @@ std::vector<Mesh> crown_hulls(const Plant& plant, const Progress& progress) {
     }
   }
   for (const auto& [individual, stems] : unforked) {
-    if (stems.size() < 2 || forks[individual]) continue;
+    // Stems with roots of several plants are not limbs of one plant.
+    if (individual == kNoIndividual || stems.size() < 2 || forks[individual]) continue;
     progress.check();
     Mesh hull = hull_of_stems(stems, progress);
     if (!hull.triangles.empty()) hulls.push_back(std::move(hull));

@@ -55,7 +55,8 @@ float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
 }
 
 std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
-                                      const SiteCondition& condition, RandomKey key, const Scene* scene) {
+                                      const SiteCondition& condition, RandomKey key, const Scene* scene,
+                                      const Progress* progress) {
   const std::size_t count = skeleton.node_count();
   const std::vector<float> tip = tip_distance(skeleton);
   std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),
@@ -91,7 +92,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAx
     if (k == kBudAge) more[k] = ages(skeleton);
     if (k == kLight && (scene == nullptr || skeleton.extra.count("light") != 0)) more[k] = column("light");
     if (k == kLight && more[k].empty()) {
-      const std::vector<float> light = light_at_nodes(skeleton, *scene);
+      const std::vector<float> light = light_at_nodes(skeleton, *scene, progress);
       more[k].assign(light.begin(), light.end());
     }
     if (k == kMarked) more[k] = column("marked");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/random.h"
 #include "meristem/graph/table/selection.h"
 #include "meristem/plant/skeleton.h"
@@ -22,8 +23,10 @@ const std::vector<std::string>& node_variables();
 
 /// Returns for every node 1 if the condition holds, else 0. `axes` are the skeleton's; `key` seeds random functions. If
 /// the skeleton has no light of its own, `light` is that of light_at_nodes() in `scene`; without a scene it is 0.
+/// Throws Cancelled if `progress` is stopped.
 std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
-                                      const SiteCondition& condition, RandomKey key, const Scene* scene = nullptr);
+                                      const SiteCondition& condition, RandomKey key, const Scene* scene = nullptr,
+                                      const Progress* progress = nullptr);
 
 /// Returns the distance from a node's parent, metres. Returns 0 for roots.
 float segment_length(const Skeleton& skeleton, NodeIndex node);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kVoxelsAcross = 24;  // voxels along the longest side of the skeleton's bounds
 constexpr std::size_t kLitNodesAtOnce = 512;
+constexpr std::size_t kNodesBetweenChecks = 16;  // each node may have hundreds of rays
 
 /// Returns the light of the scene that reaches a position past its obstacles.
 double light_reaching(const Scene& scene, Vec3 position) {
@@ -44,7 +45,9 @@ std::vector<ShadeSource> shaders_of(const Skeleton& skeleton, double voxel) {
 
 }  // namespace
 
-std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene) {
+std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene, const Progress* progress) {
+  const Progress unstopped;
+  const Progress& stop = progress == nullptr ? unstopped : *progress;
   Box box;
   for (const Vec3 position : skeleton.position) box.add(position);
   const Vec3 size = box.size();
@@ -53,10 +56,11 @@ std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene) 
   std::optional<ShadowGrid> grid;
   if (longest > 0) {
     grid.emplace(ShadowParameters{.voxel = longest / kVoxelsAcross, .toward_light = scene.light.mean_direction()});
-    grid->cast(shaders_of(skeleton, longest / kVoxelsAcross), Progress());
+    grid->cast(shaders_of(skeleton, longest / kVoxelsAcross), stop);
   }
   parallel_for(light.size(), kLitNodesAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
+      if (node % kNodesBetweenChecks == 0) stop.check();
       const Vec3 position = skeleton.position[node];
       const double full = light_reaching(scene, position);
       double shade = 0;

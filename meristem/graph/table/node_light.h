@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/plant/skeleton.h"
 #include "meristem/scene/scene.h"
 
@@ -12,7 +13,7 @@ namespace meristem {
 /// by the shade of the skeleton's own stems. It is 1 in the open where the strengths of sun and sky sum to 1, and at
 /// least 0. Shade falls as in self-organizing trees with default parameters, in voxels of 1/24 of the skeleton's
 /// longest side. A twice as large skeleton therefore has equal light. Other plants do not count. Cost: one ray per node
-/// and light among obstacles, else linear in the length of the stems.
-std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene);
+/// and light among obstacles, else linear in the length of the stems. Throws Cancelled if `progress` is stopped.
+std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene, const Progress* progress = nullptr);
 
 }  // namespace meristem

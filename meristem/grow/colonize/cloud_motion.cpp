@@ -24,7 +24,7 @@ void CloudMotion::move(MovingPoints& points, const Progress& progress) {
   for (const Pulled& one : pulled) pulls_[one.cloud] = 1;
   seek_light(pulled, progress);
   const std::vector<DVec3> shift = shifts(pulled);
-  const std::vector<double> factors = height_factors(points, shift);
+  const std::vector<double> factors = height_factors(points, shift, progress);
   const bool has_obstacles = !scene_.obstacles.empty();
   parallel_for(points.living(), kMovingPointsPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
@@ -98,10 +98,13 @@ DVec3 CloudMotion::carried(const MovingPoint& point) const {
 
 /// Returns the scale factor for the heights of each cloud that keeps the mean height of its points, and so its top,
 /// constant.
-std::vector<double> CloudMotion::height_factors(const MovingPoints& points, std::span<const DVec3> shifts) const {
+std::vector<double> CloudMotion::height_factors(const MovingPoints& points, std::span<const DVec3> shifts,
+                                                const Progress& progress) const {
   std::vector<double> rise(clouds_.size(), 0);
   std::vector<std::uint64_t> count(clouds_.size(), 0);
+  std::size_t seen = 0;
   for (const MovingPoint& point : points.points()) {
+    if (seen++ % kMovingPointsPerBlock == 0) progress.check();
     if (!clouds_[point.cloud].response.hold_height) continue;
     rise[point.cloud] += displacement(point, shifts).y;
     ++count[point.cloud];

@@ -55,7 +55,8 @@ class CloudMotion {
   std::vector<Pulled> pulled_nodes(const MovingPoints& points) const;
   void seek_light(std::span<const Pulled> pulled, const Progress& progress);
   std::vector<DVec3> shifts(std::span<const Pulled> pulled) const;
-  std::vector<double> height_factors(const MovingPoints& points, std::span<const DVec3> shifts) const;
+  std::vector<double> height_factors(const MovingPoints& points, std::span<const DVec3> shifts,
+                                     const Progress& progress) const;
   DVec3 displacement(const MovingPoint& point, std::span<const DVec3> shifts) const;
   DVec3 carried(const MovingPoint& point) const;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/grow/organize/cut_wounds.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,10 +8,16 @@
 
 namespace meristem {
 
-void CutWounds::add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section) {
+void CutWounds::add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section,
+                    double closure) {
   wounds_.resize(metamers);
   Wound& wound = wounds_[metamer];
-  wound.at = static_cast<float>(record.iteration);
+  const double open = wound.open_radius(closure, record.iteration);
+  wound.open = std::sqrt(open * open + section / kPi);
+  const auto at = static_cast<float>(record.iteration);
+  if (wound.at != at) wound.last_metamers = 0;
+  wound.at = at;
+  wound.last_metamers += static_cast<float>(record.metamers);
   wound.metamers += static_cast<float>(record.metamers);
   wound.length += static_cast<float>(record.length);
   wound.wood += static_cast<float>(record.wood);
@@ -57,8 +62,7 @@ void CutWounds::write(Skeleton& skeleton, std::optional<double> closure, int ite
   std::vector<float>& open = skeleton.extra["wound"];
   open.assign(skeleton.node_count(), 0);
   for (std::size_t k = 0; k < wounds_.size(); ++k) {
-    const double closed = *closure * (iteration - static_cast<double>(wounds_[k].at));
-    open[k] = static_cast<float>(std::max(0.0, std::sqrt(wounds_[k].section / kPi) - closed));
+    open[k] = static_cast<float>(wounds_[k].open_radius(*closure, iteration));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -14,8 +15,9 @@ namespace meristem {
 /// The cuts at the ends of a tree's metamers, by metamer.
 class CutWounds {
  public:
-  /// Adds a cut at a metamer's end. `section` is the cross-section of the cut wood in square metres.
-  void add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section);
+  /// Adds a cut at a metamer's end. `section` is the cross-section of the cut wood in square metres, and `closure` the
+  /// distance in metres by which earlier wounds there have closed per iteration.
+  void add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section, double closure);
   /// Updates the indices after Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
   /// Makes wood swell around its cuts, as callus grows over them. The cross-section of the skeleton, whose radii must
@@ -26,11 +28,11 @@ class CutWounds {
   /// Writes the columns of the tree's skeleton after `iteration`. `closure` is OrganizeParameters::closure.
   void write(Skeleton& skeleton, std::optional<double> closure, int iteration) const;
   /// Calls `visit(metamer, iteration, metamers)` for each metamer with a cut: the iteration of its last cut, and the
-  /// number of metamers that all of its cuts have removed.
+  /// number of metamers that the cuts of this iteration have removed.
   template <class Visit>
   void for_each(Visit visit) const {
     for (std::size_t k = 0; k < wounds_.size(); ++k) {
-      if (wounds_[k].at > 0) visit(static_cast<MetamerIndex>(k), wounds_[k].at, wounds_[k].metamers);
+      if (wounds_[k].at > 0) visit(static_cast<MetamerIndex>(k), wounds_[k].at, wounds_[k].last_metamers);
     }
   }
 
@@ -38,7 +40,13 @@ class CutWounds {
   struct Wound {
     float at = 0;  // iteration; 0: never
     float metamers = 0, length = 0, wood = 0, light = 0;
-    double section = 0;  // square metres
+    double section = 0;       // square metres
+    float last_metamers = 0;  // removed in the iteration `at`
+    double open = 0;          // metres; radius of the open wound in the iteration `at`
+
+    double open_radius(double closure, double iteration) const {
+      return std::max(0.0, open - closure * (iteration - static_cast<double>(at)));
+    }
   };
   std::vector<Wound> wounds_;  // for the first metamers; later metamers have no wounds
 };

@@ -122,6 +122,16 @@ TEST(OrganizeStub, NothingGrowsFromItAndTheBudBelowGoesOn) {
   EXPECT_EQ(successors, 1);
 }
 
+TEST(OrganizeStub, IsNotCutAgainByTheCutOfTheNextYear) {
+  OrganizeParameters parameters = halved(14, 0.5);
+  parameters.operations[0].when = {.from = 10};
+  parameters.lateral_threshold = 1000;  // no bud opens below the stub
+  const Skeleton tree = grow_organized(parameters);
+  EXPECT_EQ(*std::ranges::max_element(column(tree, "cut_at")), 10);
+  const NodeIndex stub = static_cast<NodeIndex>(tree.node_count() - 1);
+  EXPECT_NEAR(glm::distance(tree.position[stub], tree.position[tree.parent[stub]]), 0.5, 1e-4);
+}
+
 /// Returns the first metamers of the shoots that the stem has grown since it was cut in iteration 10.
 std::vector<NodeIndex> shoots_since_cut(const Skeleton& tree) {
   std::vector<NodeIndex> shoots;

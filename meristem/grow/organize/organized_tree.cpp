@@ -163,12 +163,20 @@ std::uint64_t OrganizedTree::plan(Flush flush) {
 std::vector<std::uint8_t> OrganizedTree::near_wounds() const {
   const std::optional<WaterShoots>& shoots = species_->parameters.water_shoots;
   if (!shoots) return {};
-  std::vector<std::uint8_t> near(metamers_.count(), 0);
+  // The number of metamers below each one that are near as well; negative: not near. One pass from the tips to the
+  // root, because the ways from many cuts share metamers.
+  std::vector<int> more_below(metamers_.count(), -1);
   upkeep_.wounds.for_each([&](MetamerIndex metamer, float cut_at, float cut_metamers) {
     if (static_cast<float>(iteration_) - cut_at > static_cast<float>(shoots->years)) return;
-    if (cut_metamers < static_cast<float>(shoots->cut)) return;
-    for (int k = 0; k <= shoots->within && metamer != 0; ++k, metamer = metamers_.parent[metamer]) near[metamer] = 1;
+    if (cut_metamers >= static_cast<float>(shoots->cut)) more_below[metamer] = shoots->within;
   });
+  std::vector<std::uint8_t> near(metamers_.count(), 0);
+  for (auto metamer = static_cast<MetamerIndex>(metamers_.count()); metamer-- > 1;) {
+    if (more_below[metamer] < 0) continue;
+    near[metamer] = 1;
+    int& below = more_below[metamers_.parent[metamer]];
+    below = std::max(below, more_below[metamer] - 1);
+  }
   return near;
 }
 

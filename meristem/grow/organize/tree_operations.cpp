@@ -177,7 +177,10 @@ void OrganizedTree::record(const OperationWork& work, int iteration, const TreeO
                                .key = RandomKey()},
                               operation, static_cast<std::uint32_t>(number_), radius_of);
   for (WorkRecorder::Noted& noted : recorder.note(work)) {
-    if (noted.record.act == "cut") upkeep_.wounds.add(metamers_.count(), noted.at, noted.record, noted.section);
+    if (noted.record.act == "cut") {
+      upkeep_.wounds.add(metamers_.count(), noted.at, noted.record, noted.section,
+                         species_->parameters.closure.value_or(0));
+    }
     records_.push_back(std::move(noted.record));
   }
 }

@@ -168,8 +168,13 @@ OperationWork cut(const TreeState& tree, const TreeOperation& operation, const C
   const Cutter cutter(tree, operation, what);
   OperationWork work;
   work.stub = what.stub;
+  const auto is_stub = [&](MetamerIndex metamer) {
+    return tree.metamers.terminal[metamer].is_damaged() && tree.metamers.lateral[metamer].state() == Bud::State::dead;
+  };
   for (const Shoot& shoot : shoots) {
     for (const MetamerIndex metamer : cutter.cuts(shoot)) {
+      // A stub stays as it is. Otherwise a cut of every year would record and halve it again each year.
+      if (what.stub > 0 && is_stub(metamer)) continue;
       work.gone.push_back(metamer);
       if (!what.has_successor && !tree.metamers.begins_shoot(metamer)) {
         work.headless.push_back(tree.metamers.axis[metamer]);

@@ -2,6 +2,8 @@
 #include "meristem/output/mesh/chosen_objects.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,9 +19,10 @@ constexpr std::size_t kNamesInMessage = 12;
 /// Returns the names of all objects, each once, in the order of the scene.
 std::vector<std::string> object_names(const MeshScene& scene) {
   std::vector<std::string> names;
+  std::set<std::string> known;
   for (const MeshInstances& instances : scene.meshes) {
     std::string name = object_name(instances);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    if (known.insert(name).second) names.push_back(std::move(name));
   }
   return names;
 }

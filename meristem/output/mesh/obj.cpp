@@ -57,12 +57,14 @@ ObjNames names_of(const MeshScene& scene, const std::vector<const MeshInstances*
   for (const Material& material : scene.materials) materials.push_back(material.name);
   names.materials = distinct_words(materials);
   std::vector<std::string> objects;
+  const MeshInstances* before = nullptr;
   for (const MeshInstances* instances : meshes) {
-    std::string object = object_name(*instances);
-    if (objects.empty() || objects.back() != object) {
-      objects.push_back(std::move(object));
+    // Names do not tell objects apart: a component may be named like the crown body of the component before it.
+    if (before == nullptr || before->component != instances->component || before->is_crown != instances->is_crown) {
+      objects.push_back(object_name(*instances));
       names.has_colours.push_back(false);
     }
+    before = instances;
     names.object_of.push_back(objects.size() - 1);
     if (!instances->tints.empty()) names.has_colours.back() = true;
   }
@@ -73,8 +75,8 @@ ObjNames names_of(const MeshScene& scene, const std::vector<const MeshInstances*
 /// The positions and normals of a mesh that stand in the file.
 class FileVertices {
  public:
-  explicit FileVertices(const Mesh& mesh) : mesh_(&mesh), is_flat_(is_flat_shaded(mesh)) {
-    if (is_flat_) shared_ = share_vertices(mesh, false);
+  FileVertices(const Mesh& mesh, const Progress& progress) : mesh_(&mesh), is_flat_(is_flat_shaded(mesh)) {
+    if (is_flat_) shared_ = share_vertices(mesh, false, progress);
   }
   std::size_t position_count() const { return is_flat_ ? shared_.first.size() : mesh_->positions.size(); }
   std::size_t normal_count() const { return is_flat_ ? mesh_->triangle_count() : mesh_->normals.size(); }
@@ -206,7 +208,7 @@ FileMeshes file_meshes(const MeshScene& scene, const Progress& progress) {
   FileMeshes meshes{.meshes = ordered_meshes(scene), .vertices = {}};
   for (const MeshInstances* instances : meshes.meshes) {
     progress.check();
-    meshes.vertices.emplace_back(*instances->mesh);
+    meshes.vertices.emplace_back(*instances->mesh, progress);
   }
   return meshes;
 }

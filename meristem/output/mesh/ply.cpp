@@ -60,7 +60,7 @@ class MeshPly {
     for (const MeshInstances& instances : scene.meshes) {
       progress.check();
       if (options.shared_vertices) {
-        shared_.push_back(share_vertices(*instances.mesh, false));
+        shared_.push_back(share_vertices(*instances.mesh, false, progress));
       } else {
         has_normals_ |= !instances.mesh->normals.empty();
         has_uvs_ |= !instances.mesh->uvs.empty();

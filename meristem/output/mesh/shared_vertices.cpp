@@ -10,6 +10,7 @@ namespace meristem {
 namespace {
 
 constexpr std::uint32_t kUnnumbered = 0xffffffff;
+constexpr std::uint32_t kComparisonsBetweenChecks = 65536;
 
 /// Returns the numbers of a vertex that are compared: its position and, if `by_uvs`, its texture coordinates.
 std::array<float, 5> key_of(const Mesh& mesh, std::uint32_t vertex, bool by_uvs) {
@@ -20,12 +21,14 @@ std::array<float, 5> key_of(const Mesh& mesh, std::uint32_t vertex, bool by_uvs)
 
 }  // namespace
 
-SharedVertices share_vertices(const Mesh& mesh, bool by_uvs) {
+SharedVertices share_vertices(const Mesh& mesh, bool by_uvs, const Progress& progress) {
   by_uvs = by_uvs && !mesh.uvs.empty();
   const auto count = static_cast<std::uint32_t>(mesh.vertex_count());
   std::vector<std::uint32_t> sorted(count);
   std::iota(sorted.begin(), sorted.end(), 0U);
+  std::uint32_t comparisons = 0;
   std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (++comparisons % kComparisonsBetweenChecks == 0) progress.check();
     const auto key_a = key_of(mesh, a, by_uvs);
     const auto key_b = key_of(mesh, b, by_uvs);
     return key_a != key_b ? key_a < key_b : a < b;

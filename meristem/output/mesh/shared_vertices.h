@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
 
 namespace meristem {
 
@@ -17,8 +18,8 @@ struct SharedVertices {
 };
 
 /// Groups the vertices of equal positions. If `by_uvs`, vertices of different texture coordinates are never equal.
-/// Sorts the vertices.
-SharedVertices share_vertices(const Mesh& mesh, bool by_uvs);
+/// Sorts the vertices. Throws Cancelled.
+SharedVertices share_vertices(const Mesh& mesh, bool by_uvs, const Progress& progress = Progress());
 
 /// Returns true if the mesh has several triangles, each with three vertices of its own and with one normal.
 bool is_flat_shaded(const Mesh& mesh);

@@ -228,6 +228,16 @@ TEST(SceneSize, FreedTangentsLeaveAllElseAndSharedMeshesShared) {
   EXPECT_EQ(after.triangles, before->triangles);
 }
 
+TEST(SceneSize, PartsThatAloneShareAMeshStillShareItWithoutTangents) {
+  MeshScene scene = field_with_tangents();
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes.push_back(scene.meshes[0]);
+  free_tangents(scene);
+  EXPECT_TRUE(scene.meshes[0].mesh->tangents.empty());
+  EXPECT_EQ(scene.meshes[0].mesh, scene.meshes[1].mesh);
+  EXPECT_EQ(scene.meshes[0].mesh, scene.meshes[2].mesh);
+}
+
 TEST(RayScene, AnotherPlaceOfAPlantCostsAnInstance) {
   const std::uint64_t few = bytes_of(tree(2000, places_in_rows(100)));
   const std::uint64_t many = bytes_of(tree(2000, places_in_rows(10'100)));

@@ -34,11 +34,13 @@ void free_tangents(MeshScene& scene) {
   std::map<const Mesh*, std::shared_ptr<const Mesh>> lean;  // of meshes that several parts share
   for (MeshInstances& part : scene.meshes) {
     if (part.mesh->tangents.empty()) continue;
-    const bool is_shared = part.mesh.use_count() > 1;
-    std::shared_ptr<const Mesh> made;
-    if (is_shared) made = lean[part.mesh.get()];
-    if (made == nullptr) made = std::make_shared<const Mesh>(without_tangents(*part.mesh));
-    if (is_shared) lean[part.mesh.get()] = made;
+    // The last part that shares a mesh is its only owner, so the copy is looked up before the owners are counted.
+    if (const auto known = lean.find(part.mesh.get()); known != lean.end()) {
+      part.mesh = known->second;
+      continue;
+    }
+    auto made = std::make_shared<const Mesh>(without_tangents(*part.mesh));
+    if (part.mesh.use_count() > 1) lean.emplace(part.mesh.get(), made);
     part.mesh = std::move(made);
   }
   give_back_memory();

@@ -57,7 +57,8 @@ void LinkReader::read(const Value& links, const DocumentPath& path) {
   }
   // A link has 600 bytes, so a list of 300,000 links that grows would move 200 MB at once, without a check whether to
   // stop. The camera gets at most one link for each component. Memory that is not used is not touched.
-  graph_.links.reserve(list->size() + placed_count() + graph_.components.size());
+  constexpr std::size_t kMaxReserved = 2'000'000;  // a list of wrong values must not reserve all memory
+  graph_.links.reserve(std::min(list->size() + placed_count() + graph_.components.size(), kMaxReserved));
   for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], DocumentPath(path, k));
 }
 

@@ -20,6 +20,7 @@ using Motion = MeshMotion::Kind;
 struct PartGroup {
   std::uint32_t component = 0;
   std::uint32_t material = 0;
+  bool is_crown = false;
   Motion kind = Motion::still;
   bool has_tints = false;           ///< tints change
   std::size_t shown_at = 0;         ///< index of a key
@@ -140,13 +141,18 @@ MovingMesh& PartGatherer::group(PartGroup key, const SharedMesh& mesh) {
     fresh.instances.component = parts_.components[entry->first.component];
     fresh.instances.mesh = mesh;
     fresh.instances.material = entry->first.material;
+    fresh.instances.is_crown = entry->first.is_crown;
     fresh.motion.kind = entry->first.kind;
   }
   return made_[entry->second];
 }
 
 void PartGatherer::add(const MovingPart& part) {
-  PartGroup key{.component = part.look.component, .material = part.look.material, .kind = kind_of(part), .meshes = {}};
+  PartGroup key{.component = part.look.component,
+                .material = part.look.material,
+                .is_crown = part.look.is_crown,
+                .kind = kind_of(part),
+                .meshes = {}};
   if (key.kind == Motion::shown) return add_shown(part);
   if (key.kind == Motion::rigid && !(rigid_.contains(part.look) && can_be_rigid(part))) key.kind = Motion::shape;
   key.has_tints = key.kind == Motion::shape && changes_tint(part);
@@ -195,6 +201,7 @@ void PartGatherer::add_shown(const MovingPart& part) {
     if (then.mesh == nullptr) continue;
     MovingMesh& all = group({.component = part.look.component,
                              .material = part.look.material,
+                             .is_crown = part.look.is_crown,
                              .kind = Motion::shown,
                              .shown_at = k,
                              .meshes = {then.mesh.get()}},

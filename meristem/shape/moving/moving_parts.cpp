@@ -239,7 +239,8 @@ void MovingParts::add(std::size_t key, double time, const Plant& plant, Progress
   check_moving_bytes(tube_vertices_ * sizeof(Vec3) * (key_count - 1), key_count, moving_);
   std::map<std::uint32_t, std::uint64_t> bodies_of;  // for each component
   for (const MeshInstances& body : bodies) {
-    const MovingLook look{number_of(body.component), material_numbers[body.material], individual(body.individual(0))};
+    const MovingLook look{number_of(body.component), material_numbers[body.material], individual(body.individual(0)),
+                          body.is_crown};
     const std::uint64_t ordinal = bodies_of[look.component]++;
     MovingPart& part = part_of(RandomKey(look.component).child("body").child(ordinal).bits(), look);
     part.keys[now_] = {shared(body.mesh), body.frames[0], body.tint(0)};

@@ -31,6 +31,7 @@ struct MovingLook {
   std::uint32_t component = 0;
   std::uint32_t material = 0;
   std::uint32_t individual = 0;
+  bool is_crown = false;  ///< true: a crown body
   auto operator<=>(const MovingLook&) const = default;
 };
 

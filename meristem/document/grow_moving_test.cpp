@@ -34,6 +34,13 @@ const std::string kTree = R"j({"meristem": 1, "seed": 3,
   },
   "links": [{"from": "tree", "to": "leaf", "kind": "branch", "density": 8}]})j";
 
+const std::string kCrowned = R"j({"meristem": 1,
+  "animation": {"length": 1, "keys": {"tree.length": [[0, 0.5], [1, 1]]}},
+  "components": {
+    "tree": {"type": "tree", "length": 1, "radius": 0.05, "segments": 4,
+             "surface": {"style": "blend", "resolution": 20, "crown": {"diameter": 0.5, "resolution": 12}}}
+  }})j";
+
 /// The box of all that a moving scene shows at a key.
 Box box_at(const MovingScene& moving, std::size_t key) {
   Box box;
@@ -69,6 +76,15 @@ void expect_the_document(const std::string& text, std::size_t keys) {
     EXPECT_LT(glm::distance(here.low, there.low), 0.01F * size) << "at " << moving.times[key] << " s";
     EXPECT_LT(glm::distance(here.high, there.high), 0.01F * size) << "at " << moving.times[key] << " s";
   }
+}
+
+TEST(GrowMoving, CrownBodiesStayObjectsOfTheirOwn) {
+  Progress progress;
+  const MovingScene moving = grow_moving(read(kCrowned), progress, {.keys = 2});
+  std::vector<std::string> objects;
+  for (const MeshInstances& instances : moving.scene.meshes) objects.push_back(object_name(instances));
+  EXPECT_NE(std::ranges::find(objects, "tree"), objects.end());
+  EXPECT_NE(std::ranges::find(objects, "tree_crown"), objects.end());
 }
 
 TEST(GrowMoving, KeysAreTheDocumentAtTheirTimes) { expect_the_document(kFlower, 5); }

@@ -4,6 +4,7 @@
 // reused.
 #include "meristem/graph/link_reader.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 

@@ -211,7 +211,7 @@ void Walk::place_children(LinkIndex link, const Parent& parent, BatchResult* own
   std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
   std::vector<std::size_t> per_block;
   if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-    const LinkSites::PlantCounts before{instances_, parent.batch.count(), made_};
+    const LinkSites::Counts before{instances_, parent.batch.count(), made_};
     places = places_of(variables_.draw(to, links_.places(link, parent.result, before, &per_block, own)));
     results_.store(key, places);
   }

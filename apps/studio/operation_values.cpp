@@ -15,6 +15,7 @@
 #include "meristem/components/expanded.h"
 #include "meristem/export/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem::studio {
 

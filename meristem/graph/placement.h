@@ -51,7 +51,7 @@ struct BranchPlacement {
 /// Returns the rows of BranchPlacement.
 const ParameterTable& placement_table();
 /// Reports a density beside a count, and a start beyond the end. `path` is the path of the placement. For components
-/// that have the rows of Placement as their own.
+/// that have the rows of BranchPlacement as their own.
 void check_placement(const BranchPlacement& placement, const DocumentPath& path, ParameterReader& reader);
 
 /// Returns `own` with the members that `link` was given. A link with a density or a count replaces both of `own`, and a

@@ -4,6 +4,7 @@
 #include "meristem/base/fingerprint.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 

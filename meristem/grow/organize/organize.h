@@ -118,7 +118,7 @@ struct OrganizeParameters {
   BranchShedding shedding;                  ///< branches that are shed
   std::optional<BranchSag> sag;             ///< bending under load; unset: no bending
   PipeModel radii;                          ///< radii of the finished skeleton
-  std::optional<FruitBearing> bearing;           ///< fruits; unset: none
+  std::optional<FruitBearing> bearing;      ///< fruits; unset: none
   std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
   std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
   double callus = 0;  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
@@ -155,9 +155,9 @@ struct OrganizeSeed {
 /// the node's tip, 0 for never. `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light` are
 /// the sums of everything cut off there. `marked` is 1 on shoots with any mark, and each mark has its own column, such
 /// as `mark_dead`. Skeleton::operations lists the effects of all operations. Trees that only plan also have `plan_cut`:
-/// the Operation::number that would cut the metamer off, or 0. With OrganizeParameters::closure, `wound` is the radius
-/// of the open wound in metres. With OrganizeParameters::bearing, `fruit` is 1 if the lateral bud bears in the next
-/// iteration.
+/// the TreeOperation::number that would cut the metamer off, or 0. With OrganizeParameters::closure, `wound` is the
+/// radius of the open wound in metres. With OrganizeParameters::bearing, `fruit` is 1 if the lateral bud bears in the
+/// next iteration.
 ///
 /// If an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
 /// `summer` of its metamers before the operation and the rest after it. A cut shoot grows no further, but its buds may

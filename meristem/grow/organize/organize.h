@@ -118,7 +118,7 @@ struct OrganizeParameters {
   BranchShedding shedding;                  ///< branches that are shed
   std::optional<BranchSag> sag;             ///< bending under load; unset: no bending
   PipeModel radii;                          ///< radii of the finished skeleton
-  std::optional<FruitBearing> bearing;           ///< fruits; unset: none
+  std::optional<FruitBearing> bearing;      ///< fruits; unset: none
   std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
   std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
   double callus = 0;  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads

@@ -23,7 +23,7 @@ need_modules("studies/train_trees.py")
 from common.tables import positive_number, print_findings, write_findings, write_table
 from training_study.bud import study_buds
 from training_study.cordon import study_cordons
-from training_study.espalier import VIGOROUS, study_adaptations, study_arms, study_upkeep
+from training_study.espalier import VIGOROUS, study_adaptations, study_arms, study_held, study_upkeep
 from training_study.expectations import check_buds, check_cordons, check_espaliers, check_poles, check_vases
 from training_study.pole import study_poles
 from training_study.vase import study_vases
@@ -47,16 +47,17 @@ def run_study(folder: Path, count: int) -> None:
     arms, cordons = study_arms(seeds), study_cordons(seeds)
     vigorous = study_arms(seeds, VIGOROUS)
     upkeep, broken = study_upkeep(seeds[:UPKEEP_SEEDS]), study_adaptations(seeds)
+    held = study_held(seeds[:UPKEEP_SEEDS])
     findings = [
         *check_poles(stems),
         *check_vases(vases),
         *check_buds(branches),
-        *check_espaliers(arms, vigorous, upkeep),
+        *check_espaliers(arms, vigorous, upkeep, held),
         *check_cordons(cordons),
     ]
     tables: dict[str, Sequence[Any]] = {
         "poles": stems, "vases": vases, "buds": branches, "arms": arms, "cordons": cordons, "upkeep": upkeep,
-        "adaptations": broken,
+        "held": held, "adaptations": broken,
     }  # fmt: skip
     for name, rows in tables.items():
         write_rows(folder / f"{name}.csv", rows)

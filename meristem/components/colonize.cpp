@@ -43,9 +43,10 @@ ColonizeParameters growth_of(const Colonize& tree, double scale) {
 /// Throws InputError if no world above the tree has a field that can carry its points.
 void require_field(const GrowContext& context) {
   if (context.directions.light_sense().has_given() || context.directions.gravity_sense().has_given()) return;
-  throw InputError(Diagnostic{.message = "no world above the tree has a field of light or gravity",
-                              .expected = "a 'world' with a field above the tree, or no 'field'",
-                              .path = "components." + context.component + ".light.field"});
+  throw InputError(
+      Diagnostic{.message = "'field' has no meaning here: no world above the tree has a field of light or gravity",
+                 .expected = "a 'world' with a field above the tree, or no 'field'",
+                 .path = "components." + context.component + ".light.field"});
 }
 
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
@@ -196,7 +197,7 @@ const ParameterTable& light_table() {
           .number("drift", &LightResponseParameters::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
                   "Distance that each attraction point moves per step, in the direction in which its nearest node "
                   "finds more light; raised, branches turn to the light more.")
-          .number("field", &LightResponseParameters::field, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+          .number("field", &LightResponseParameters::field, {.unit = Unit::step, .min = 0, .max = 1},
                   "Distance that each attraction point moves per step along the fields of the worlds above the tree, "
                   "such as a wind of strength 1; raised, the wind carries the crown farther.")
           .members(&LightResponseParameters::response, response_table())

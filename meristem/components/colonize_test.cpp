@@ -305,7 +305,7 @@ TEST(ColonizeComponent, AFieldOfAWorldCarriesItsPoints) {
   // Without a world, the parameter has no effect and is an error.
   const Diagnostic without = error(with({{"light", Value::Object{{"field", 0.1}}}}));
   EXPECT_EQ(without.path, "components.tree.light.field");
-  EXPECT_EQ(without.message, "no world above the tree has a field of light or gravity");
+  EXPECT_EQ(without.message, "'field' has no meaning here: no world above the tree has a field of light or gravity");
 }
 
 /// Returns the warnings of reading.

@@ -199,7 +199,7 @@ TEST(OrganizeComponent, WarnsOfParametersOfCutsWithoutACut) {
     return more;
   };
   EXPECT_EQ(warnings(marking({{"takeover", 0.3}})),
-            "warning: tree.takeover: 'takeover' has no effect: none of the operations cuts a shoot\n");
+            "tree.takeover: 'takeover' has no effect: none of the operations cuts a shoot\n");
   EXPECT_NE(warnings(marking({{"damage", false}})), "");
   EXPECT_NE(warnings(marking({{"resource", Value::Object{{"pass_back", 0.2}}}})), "");
   EXPECT_EQ(warnings(marking({})), "");

@@ -19,8 +19,8 @@ from .trees import LENGTH, SLIM, count_metamers, grow_skeleton
 
 LAYERS = 3
 ESPALIER = change(SLIM, resource={"alpha": 2.3})
-#: At 2.3, the arms of the third layer are complete at iteration 17 only; at 2.4, most are complete at 16.
-VIGOROUS = change(SLIM, resource={"alpha": 2.4})
+#: At 2.3, the arms of the third layer are complete at iteration 17 only; at 2.45, most are complete at 16.
+VIGOROUS = change(SLIM, resource={"alpha": 2.45})
 YEARS = tuple(range(1, 26))
 SEEN = 15
 SHORTEST = 6  #: smallest number of metamers of an arm that is counted and measured
@@ -83,7 +83,7 @@ UPKEEP: Mapping[str, list[dict[str, Any]]] = {
     "none": [],
 }
 #: The first of these ways for the more vigorous tree.
-VIGOROUS_UPKEEP = "spurs and limit, alpha 2.4"
+VIGOROUS_UPKEEP = "spurs and limit, alpha 2.45"
 LAST_OF_NONE = 16  #: without upkeep, the tree becomes too large to follow
 
 
@@ -106,6 +106,38 @@ def study_upkeep(seeds: Sequence[int]) -> list[Upkeep]:
             metamers = [count_metamers(tree) for tree in trees]
             width = [float(np.ptp(tree.position[:, 0])) for tree in trees]
             found.append(Upkeep(upkeep, iteration, float(np.mean(metamers)), float(np.std(metamers)), float(np.mean(width))))
+    return found
+
+
+@dataclass(frozen=True)
+class Held:
+    """The size of one vigorous espalier over the years from SEEN on."""
+
+    seed: int
+    at_15: int  #: metamers
+    at_25: int
+    longest_arm: int  #: largest number of metamers of an arm at any of HELD_YEARS
+
+
+HELD_YEARS = (SEEN, 17, 20, 25)
+ARM = 12  #: largest number of metamers of an arm, by the limit of UPKEEP
+
+
+def longest_arm(skeleton: meristem.Skeleton) -> int:
+    rank, parent = skeleton["rank"], skeleton.parent.astype(np.int64)
+    arm = np.zeros(len(skeleton), np.int64)
+    for node in range(1, len(skeleton)):
+        if rank[node] == 1:
+            arm[node] = node if rank[parent[node]] == 0 else arm[parent[node]]
+    return int(np.bincount(arm[arm > 0]).max())
+
+
+def study_held(seeds: Sequence[int]) -> list[Held]:
+    found = []
+    for seed in seeds:
+        trees = [grow_espalier(seed, year, settings=VIGOROUS) for year in HELD_YEARS]
+        longest = max(longest_arm(tree) for tree in trees)
+        found.append(Held(seed, count_metamers(trees[0]), count_metamers(trees[-1]), longest))
     return found
 
 

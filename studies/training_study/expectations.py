@@ -11,7 +11,7 @@ from common.tables import Finding
 
 from .bud import Branch
 from .cordon import Cordon, mean_of
-from .espalier import LAYERS, VIGOROUS_UPKEEP, Arms, Upkeep, metamers_at
+from .espalier import ARM, LAYERS, VIGOROUS_UPKEEP, Arms, Held, Upkeep, metamers_at
 from .pole import Stem, mean_distance
 from .trees import SETS
 from .vase import CUT_AT, Vase
@@ -62,7 +62,9 @@ def check_buds(branches: Sequence[Branch]) -> list[Finding]:
     ]
 
 
-def check_espaliers(arms: Sequence[Arms], vigorous: Sequence[Arms], upkeep: Sequence[Upkeep]) -> list[Finding]:
+def check_espaliers(
+    arms: Sequence[Arms], vigorous: Sequence[Arms], upkeep: Sequence[Upkeep], held: Sequence[Held]
+) -> list[Finding]:
     two = 100 * float(np.mean([a.left == LAYERS and a.right == LAYERS for a in arms]))
     both = 100 * float(np.mean([a.left == LAYERS and a.right == LAYERS for a in vigorous]))
     at_15, at_17, at_25 = (metamers_at(upkeep, "spurs and limit", k) for k in (15, 17, 25))
@@ -73,12 +75,16 @@ def check_espaliers(arms: Sequence[Arms], vigorous: Sequence[Arms], upkeep: Sequ
         check_most("espalier: the farthest turn of an arm from the wires' plane", max(a.off_plane for a in arms), 3, "°"),
         check_most("espalier: change of the metamers from 15 to 25", 100 * abs(at_25 / at_15 - 1), 10, " %"),
         check_most("espalier: change of the metamers from 17 to 25", 100 * abs(at_25 / at_17 - 1), 10, " %"),
-        check_least("espalier with alpha 2.4: trees with two arms in each layer at 15", both, 100, " %"),
-        check_most("espalier with alpha 2.4: the largest inclination of an arm", max(a.inclination for a in vigorous), 7, "°"),
-        check_most("espalier with alpha 2.4: the farthest turn of an arm from the wires' plane",
+        check_least("espalier with alpha 2.45: trees with two arms in each layer at 15", both, 100, " %"),
+        check_most("espalier with alpha 2.45: the largest inclination of an arm", max(a.inclination for a in vigorous), 7, "°"),
+        check_most("espalier with alpha 2.45: the farthest turn of an arm from the wires' plane",
                    max(a.off_plane for a in vigorous), 3, "°"),
-        check_most("espalier with alpha 2.4: change of the metamers from 15 to 25",
+        check_most("espalier with alpha 2.45: change of the metamers from 15 to 25",
                    100 * abs(grown_25 / grown_15 - 1), 10, " %"),
+        check_most("espalier with alpha 2.45: largest change of the metamers of a tree from 15 to 25",
+                   max(100 * abs(tree.at_25 / tree.at_15 - 1) for tree in held), 10, " %"),
+        check_most("espalier with alpha 2.45: metamers of the longest arm from 15 to 25",
+                   max(tree.longest_arm for tree in held), ARM),
         check_least("cutting each shoot alone: metamers at 25 over those at 15",
                     metamers_at(upkeep, "shoots cut to 2", 25) / metamers_at(upkeep, "shoots cut to 2", 15), 2),
     ]  # fmt: skip

@@ -481,6 +481,13 @@ class TrainingStudy(Page):
         for words, name in (("spurs and limit", "spurs and limit"), ("each shoot cut to 2", "shoots cut to 2")):
             at = {row["iteration"]: row["metamers"] for row in table("training-study/upkeep.csv") if row["upkeep"] == name}
             self.says(f"| {words} | {at[10]:,.0f} | {at[15]:,.0f} | {at[20]:,.0f} | {at[25]:,.0f} |")
+        name = "spurs and limit, alpha 2.45"
+        at = {row["iteration"]: row["metamers"] for row in table("training-study/upkeep.csv") if row["upkeep"] == name}
+        self.says(f"| spurs and limit, `alpha` 2.45 | {at[10]:,.0f} | {at[15]:,.0f} | {at[20]:,.0f} | {at[25]:,.0f} |")
+        held = table("training-study/held.csv")
+        most = max(100 * (row["at_25"] / row["at_15"] - 1) for row in held)
+        self.says(f"changes by {100 * (at[25] / at[15] - 1):.1f} % on average and by at most {most:.1f} % in {len(held)} of "
+                  f"{len(held)} trees", f"no arm has more than its {max(row['longest_arm'] for row in held):.0f} metamers")
         at = {row["iteration"]: row["metamers"] for row in table("training-study/upkeep.csv") if row["upkeep"] == "none"}
         self.says(f"| none | {at[10]:,.0f} | {at[15]:,.0f} | | |")
 

@@ -92,6 +92,8 @@ const std::map<std::string, std::string>& circumstances() {
       {"an operation.leader", "no shoot may be there to take the lead"},
       {"a bud to cut to.window", "there may be one bud that faces the right way"},
       {"shedding.below", "no shoot may be old enough"},
+      {"shedding.resource", "as below"},
+      {"an operation.stub", "a cut may only be planned"},
       {"stages.load", "a switch may stand where there is nothing to switch off, as all stages"},
       {"stages.fit", "as stages.load"},
       {"stages.age", "as stages.load"},

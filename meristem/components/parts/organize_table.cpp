@@ -125,8 +125,6 @@ const ParameterTable& water_shoots_table() {
                    "Smallest number of metamers that a cut must have removed to be large.")
           .integer("within", &WaterShoots::within, {.min = 0, .max = 1e6, .usual = {0, 20}},
                    "Number of metamers below a cut, toward the root, whose buds may become water shoots.")
-          .integer("years", &WaterShoots::years, {.min = 1, .max = 65535, .usual = {1, 10}},
-                   "Number of iterations after a cut in which water shoots may begin.")
           .number("up", &WaterShoots::up, {.min = 0, .max = 100, .usual = {0, 3}},
                   "Weight of straight up in the directions of the first shoot that such a bud grows; raised, steeper.");
   return table;

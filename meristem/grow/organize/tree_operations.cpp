@@ -218,7 +218,8 @@ void OrganizedTree::apply(const OperationWork& work, int iteration, std::size_t 
     const Vec3 tip = glm::mix(metamers_.tip[from], metamers_.tip[metamer], static_cast<float>(work.stub));
     const bool is_lateral = metamers_.begins_shoot(metamer);
     cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
-    if (work.stub > 0 && from != 0) stubs_.push_back({from, is_lateral, tip, metamers_.lost_tips[from] - lost});
+    if (damages && work.stub > 0 && from != 0)
+      stubs_.push_back({from, is_lateral, tip, metamers_.lost_tips[from] - lost});
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

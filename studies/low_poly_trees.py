@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/low_poly_trees.py -o out/low-poly-study
 
-Writes `trees.csv`, `parameters.csv`, `series.csv`, `readings.csv` and `expectations.csv` into a folder.
+Writes `trees.csv`, `parameters.csv`, `series.csv`, `readings.csv`, `tried.csv` and `expectations.csv` into a folder.
 Based on: F. Heuer, Algorithmische Erzeugung von 3D-Low-Poly-Bäumen, Hamburg 2022, sections 6.1 to 6.3.
 """
 
@@ -13,7 +13,7 @@ import argparse
 import math
 import sys
 from pathlib import Path
-from typing import NamedTuple
+from typing import Mapping, NamedTuple
 
 from common.needs import need_modules
 
@@ -28,8 +28,21 @@ from low_poly_study.published import PARAMETERS, SERIES, TREES, Row
 CUBE = 2.4
 FUSE = 0.078
 COUNTED = 2
+#: The side of a smaller cube, whose counts agree without counting triangles twice.
+SMALL_CUBE = 1.7
 #: The printed width: k = 0.01 m², whose root is 0.1 m.
 PRINTED_FUSE = 0.1
+#: Other readings of the crown, in the cube and counted twice: a name, and the keys that they change.
+TRIED: tuple[tuple[str, dict[str, object]], ...] = (
+    ("k as a width of 0.01 m", {"surface.crown.fuse": 0.01}),
+    ("balls that blend over 0.09 m", {"surface.crown.fuse": 0.09}),
+    ("balls that blend over 0.07 m", {"surface.crown.fuse": 0.07}),
+    ("balls that blend over 0.06 m", {"surface.crown.fuse": 0.06}),
+    ("the diameter as 0.04 m", {"surface.crown.diameter": 0.04}),
+    ("a polynomial blend over 0.1 m", {"surface.crown.blend": "poly"}),
+    ("Pasko's blend over 0.1 m", {"surface.crown.blend": "pasko"}),
+    ("five steps", {"steps": 5}),
+)
 LONGEST_ERROR = 0.08  #: relative error of a count of the series, except its first row
 QUICK_ROWS = 4
 
@@ -50,9 +63,10 @@ class Reading(NamedTuple):
     counts: Row
 
 
-def own_sizes(text: str) -> tuple[float, float]:
+def own_sizes(text: str, values: Mapping[str, object]) -> tuple[float, float]:
     """Returns the longest sides of the bounding boxes of trunk (cones) and crown (balls) in metres."""
-    bodies = grow_bodies(text, {"surface.resolution": 400, "surface.crown.resolution": 400, "surface.crown.fuse": 0})
+    bodies = grow_bodies(text, {"surface.resolution": 400, "surface.crown.resolution": 400, **values,
+                                "surface.crown.fuse": 0})
     trunk, crown = bodies["trunk"], bodies["crown"]
     return float(max(trunk.high - trunk.low)), float(max(crown.high - crown.low))
 
@@ -86,31 +100,42 @@ def vary_parameters(text: str) -> list[list[object]]:
     return rows
 
 
-def count_series(text: str, rows: tuple[Row, ...], sizes: tuple[float, float], cube: float | None, fuse: float,
-                 counted: int) -> list[Row]:
+def count_series(text: str, rows: tuple[Row, ...], cube: float | None, counted: int,
+                 values: Mapping[str, object]) -> list[Row]:
     """Counts triangles at the source's resolutions, relative to one cube or to each body's own box."""
+    sizes = own_sizes(text, values)
     series = []
     for row in rows:
         cells = [row.resolution if cube is None else round(row.resolution * size / cube) for size in sizes]
-        bodies = grow_bodies(text, {"surface.resolution": cells[0], "surface.crown.resolution": cells[1],
-                                    "surface.crown.fuse": fuse})
+        bodies = grow_bodies(text, {"surface.resolution": cells[0], "surface.crown.resolution": cells[1], **values})
         series.append(Row(row.resolution, counted * bodies["trunk"].count, counted * bodies["crown"].count))
     return series
 
 
-def compare_readings(text: str, sizes: tuple[float, float]) -> list[Reading]:
-    """Returns the counts at resolution 100 while the assumptions are added one by one."""
-    [published] = [row for row in SERIES if row.resolution == 100]
+def compare_readings(text: str) -> list[Reading]:
+    """Returns the counts at resolution 100 while the assumptions are added one by one, and with a smaller cube."""
     steps = [
         ("each body in its own box", None, PRINTED_FUSE, 1),
         ("both in one cube", CUBE, PRINTED_FUSE, 1),
         ("and balls that blend over less", CUBE, FUSE, 1),
         ("and each triangle counted twice", CUBE, FUSE, COUNTED),
+        ("instead: a smaller cube, counted once", SMALL_CUBE, FUSE, 1),
     ]
-    readings = [Reading("published", published)]
+    readings = [Reading("published", published_row())]
     for name, cube, fuse, counted in steps:
-        readings.append(Reading(name, count_series(text, (published,), sizes, cube, fuse, counted)[0]))
+        [row] = count_series(text, (published_row(),), cube, counted, {"surface.crown.fuse": fuse})
+        readings.append(Reading(name, row))
     return readings
+
+
+def try_readings(text: str) -> list[Reading]:
+    """Returns the counts at resolution 100 with other readings of the crown."""
+    return [Reading(name, count_series(text, (published_row(),), CUBE, COUNTED, values)[0]) for name, values in TRIED]
+
+
+def published_row() -> Row:
+    [row] = [row for row in SERIES if row.resolution == 100]
+    return row
 
 
 def error_of(ours: float, published: float) -> float:
@@ -147,21 +172,21 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     options.output.mkdir(parents=True, exist_ok=True)
     text = read(SPRUCE)
-    sizes = own_sizes(text)
     trees = grow_trees()
     write_table(options.output / "trees.csv", Tree._fields, trees)
     parameters = vary_parameters(text)
     write_table(options.output / "parameters.csv",
                 ("parameter", "key", "value", "trunk", "crown", "height", "width"), parameters)
     rows = SERIES[:QUICK_ROWS] if options.quick else SERIES
-    series = count_series(text, rows, sizes, CUBE, FUSE, COUNTED)
+    series = count_series(text, rows, CUBE, COUNTED, {"surface.crown.fuse": FUSE})
     write_table(options.output / "series.csv",
                 ("resolution", "trunk_published", "trunk", "crown_published", "crown", "ratio_published", "ratio"),
                 [(wanted.resolution, wanted.trunk, row.trunk, wanted.crown, row.crown, wanted.ratio, row.ratio)
                  for wanted, row in zip(SERIES, series)])
-    write_table(options.output / "readings.csv", ("reading", "trunk", "crown", "ratio"),
-                [(reading.name, reading.counts.trunk, reading.counts.crown, reading.counts.ratio)
-                 for reading in compare_readings(text, sizes)])
+    for name, readings in (("readings", compare_readings(text)), ("tried", try_readings(text))):
+        write_table(options.output / f"{name}.csv", ("reading", "trunk", "crown", "ratio"),
+                    [(reading.name, reading.counts.trunk, reading.counts.crown, reading.counts.ratio)
+                     for reading in readings])
     findings = check(trees, parameters, series)
     write_findings(options.output / "expectations.csv", findings)
     print_findings(findings)

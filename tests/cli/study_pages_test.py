@@ -296,8 +296,9 @@ class LowPolyStudy(Page):
                       f"{row['ratio']:.2f} |")
 
     def test_readings(self):
-        for row in table("low-poly-study/readings.csv"):
-            self.says(f"| {row['trunk']:,.0f} | {row['crown']:,.0f} | {row['ratio']:.2f} |")
+        for name in ("readings", "tried"):
+            for row in table(f"low-poly-study/{name}.csv"):
+                self.says(f"| {row['trunk']:,.0f} | {row['crown']:,.0f} | {row['ratio']:.2f} |")
 
     def test_parameters(self):
         for row in table("low-poly-study/parameters.csv"):

@@ -118,7 +118,8 @@ def measure(trees: int, scratch: Path) -> dict[str, Run]:
             done.peak <= MAX_BYTES if is_bounded else None,
         )
         share = done.peak / triangles
-        print(f"  {share:.1f} bytes per triangle, {done.processor:.1f} s of processor time, {done.wall:.1f} s", flush=True)
+        processor = f"{done.processor:.1f} s of processor time"
+        print(f"  {share:.1f} bytes per triangle, {processor}, {done.wall:.1f} s", flush=True)
     return runs
 
 

@@ -4,18 +4,21 @@
 
     MERISTEM=build/release/bin/meristem /usr/bin/python3 bench/oak_stand.py [TREES...]
 
-Each stand has this number of trees (6 and 36 by default), every one grown by itself from `oak` at 160 years, with 2.9
-million triangles. The program scans it from 4 stations, measures each tree, and draws it. For each command the table has
-the largest memory of the process, bytes per triangle, processor time and time. For two stands or more it also has the
-memory of one more tree.
+TREES are the numbers of trees of the stands, by default 6 and 36. All trees are different. Each tree is an `oak` of 160
+years with 2.9 million triangles. The program scans the stand from 4 stations, measures each tree, and draws the stand.
+For each command, the largest memory of the process, bytes per triangle, processor time and time are printed. For two
+stands or more, the memory of one more tree is printed as well.
 
-The stand of 120 trees has 345 million triangles, and every command must hold it in at most 4 GB:
+The stand of 120 trees has 345 million triangles. Each command must need at most 4 GB for it:
 
     MERISTEM_STAND_TREES=120 ./dev bench oak_stand
 
-MERISTEM_STAND_TREES are the numbers of trees, MERISTEM_STAND_STEP is the angle between pulses in degrees (0.2), and
-MERISTEM_STAND_SIZE the size of the picture (800x600). None of the last two changes the memory much. The lines of the
-table are written to the file named by MERISTEM_BENCH_TABLE. MERISTEM_BENCH=small runs two stands of saplings.
+- MERISTEM_STAND_TREES: the numbers of trees.
+- MERISTEM_STAND_STEP: the angle between pulses in degrees, by default 0.2. A larger angle takes less time, and memory
+  stays.
+- MERISTEM_STAND_SIZE: the size of the picture, by default 800x600.
+- MERISTEM_BENCH_TABLE: a file to which the lines of the table are appended.
+- MERISTEM_BENCH=small: two stands of saplings.
 """
 
 from __future__ import annotations
@@ -114,7 +117,9 @@ def measure(trees: int, scratch: Path) -> dict[str, Run]:
             f"<= {MAX_BYTES / 1e6:.0f} MB" if is_bounded else "",
             done.peak <= MAX_BYTES if is_bounded else None,
         )
-        print(f"  {done.peak / triangles:.1f} bytes per triangle, {done.processor:.1f} s of processor time, {done.wall:.1f} s")
+        share = done.peak / triangles
+        processor = f"{done.processor:.1f} s of processor time"
+        print(f"  {share:.1f} bytes per triangle, {processor}, {done.wall:.1f} s", flush=True)
     return runs
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes PNG with libpng, row by row. The pixels equal those of libpng's simplified interface, which reads a whole
-// picture in one call and cannot be stopped. In libpng 1.6.39 of Debian 12, that interface decodes interlaced pictures
-// of 16 bits wrongly.
+// Decodes PNG with libpng, row by row. The pixels equal those of libpng's simplified interface. This
+// interface is not used, because it reads a whole picture in one call and cannot be stopped. In libpng 1.6.39 of Debian
+// 12, that interface decodes interlaced pictures of 16 bits wrongly.
 #include <csetjmp>
 #include <cstring>
 #include <string>
@@ -45,8 +45,8 @@ bool is_done(png_structp png, const Step& step) {
   return true;
 }
 
-/// Converts all kinds of PNG to four channels of 8 bits. Pictures without a profile count as sRGB, also those of 16
-/// bits.
+/// Converts all kinds of PNG to four channels of 8 bits. Pictures without a profile are read as sRGB. This includes
+/// pictures with 16 bits per channel.
 void convert_to_rgba(png_structp png, png_infop info) {
   const png_byte colours = png_get_color_type(png, info);
   const bool has_alpha = (colours & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;

@@ -122,7 +122,7 @@ struct PngKind {
   int colours;  // colour type of libpng
   int bits;     // bits per channel
   int interlace = PNG_INTERLACE_NONE;
-  double gamma = 0;      // 0: none is written
+  double gamma = 0;      // 0: no gamma is written
   bool has_key = false;  // true: one colour, or colours of the palette, are transparent
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of numbers in one array. A vector of vectors takes an allocation for each list, and as long to free as to make:
-// tens of milliseconds for a document of 300,000 components, in which nothing checks whether to stop.
+// Lists of numbers in one array. A vector of vectors needs an allocation for each list. For 300,000 lists, freeing
+// takes tens of milliseconds and cannot be stopped.
 #pragma once
 
 #include <cstddef>

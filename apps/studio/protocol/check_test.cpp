@@ -51,7 +51,7 @@ TEST(CheckForm, ShortensLongKeysInPaths) {
     return error_of(forms::map(forms::number()), "{\"" + key + "\": true}");
   };
   EXPECT_EQ(error_at(std::string(100, 'k')), "'part." + std::string(100, 'k') + "' is not a number");
-  EXPECT_EQ(error_at(std::string(100'000, 'k')), "'part." + std::string(35, 'k') + "...' is not a number");
+  EXPECT_EQ(error_at(std::string(1000, 'k')), "'part." + std::string(35, 'k') + "...' is not a number");
 }
 
 struct Point {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kVoxelsAcross = 24;  // voxels along the longest side of the skeleton's bounds
 constexpr std::size_t kLitNodesAtOnce = 512;
-constexpr std::size_t kNodesBetweenChecks = 16;  // each node may have hundreds of rays
+constexpr std::size_t kLitNodesBetweenChecks = 16;  // each node may have hundreds of rays
 
 /// Returns the light of the scene that reaches a position past its obstacles.
 double light_reaching(const Scene& scene, Vec3 position) {
@@ -60,7 +60,7 @@ std::vector<float> light_at_nodes(const Skeleton& skeleton, const Scene& scene, 
   }
   parallel_for(light.size(), kLitNodesAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
-      if (node % kNodesBetweenChecks == 0) stop.check();
+      if (node % kLitNodesBetweenChecks == 0) stop.check();
       const Vec3 position = skeleton.position[node];
       const double full = light_reaching(scene, position);
       double shade = 0;

@@ -15,8 +15,8 @@ namespace meristem {
 /// The cuts at the ends of a tree's metamers, by metamer.
 class CutWounds {
  public:
-  /// Adds a cut at a metamer's end. `section` is the cross-section of the cut wood in square metres, and `closure` the
-  /// distance in metres by which earlier wounds there have closed per iteration.
+  /// Adds a cut at a metamer's end. `section` is the cross-section of the cut wood in square metres. Open wounds there
+  /// lose `closure` metres of their radius in each iteration.
   void add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section, double closure);
   /// Updates the indices after Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);

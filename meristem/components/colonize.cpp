@@ -70,10 +70,10 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
 
 MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
   // A limit on light removes points before growth.
-  if (tree.light.response.limit.share > 0 || known.varies(tree.light)) return {};
+  if (tree.light.response.limit.share > 0 || known.varies(member_of(tree, &Colonize::light))) return {};
   if (tree.points.file) return {.points = tree.crown ? 0 : static_cast<double>(tree.points.file->size())};
   const double crowns = roots_of(tree).share_points() ? 1 : static_cast<double>(tree.roots.size());
-  return {.points = crowns * known.minimum(tree.points.count)};
+  return {.points = crowns * known.minimum(member_of(tree, &Colonize::points, &PointsParameters::count))};
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {

@@ -68,7 +68,7 @@ ComponentType field_component() {
       .expand = expand,
       .minimum_counts =
           [](const Field& field, const KnownMembers& known) {
-            if (known.varies(field.gaps)) return MinimumCounts();
+            if (known.varies(member_of(field, &Field::gaps))) return MinimumCounts();
             const double sites = 1.0 * field.rows * field.plants;
             // The number of gaps is binomial. Ten standard deviations above the mean are certain, and ten more if gaps
             // are so rare that their number has a long tail.

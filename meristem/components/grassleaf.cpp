@@ -139,13 +139,16 @@ class Rounding {
     return grass_.exact || value <= 0 ? value : to_octaves(value, steps);
   }
   /// Returns a parameter of the leaf, rounded only if it varies between leaves.
-  double own(const double& number, double steps) const { return varies(number) ? step(number, steps) : number + 0.0; }
-  double own_octaves(const double& number, double steps) const {
-    return varies(number) ? octaves(number, steps) : number;
+  double own(const ComponentMember<double>& number, double steps) const {
+    return out_.varies(number) ? step(number.value(), steps) : number.value() + 0.0;
   }
-  template <class Member>
-  bool varies(const Member& member) const {
-    return meristem::varies(out_, grass_, member);
+  double own_octaves(const ComponentMember<double>& number, double steps) const {
+    return out_.varies(number) ? octaves(number.value(), steps) : number.value();
+  }
+  /// Returns true if a member of the leaf varies between leaves.
+  template <class M>
+  bool varies(M Grassleaf::*member) const {
+    return out_.varies(member_of(grass_, member));
   }
 
  private:
@@ -159,7 +162,7 @@ std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   if (!grass.stages.bend) return {};
   const Rounding round(grass, out);
   std::vector<LocalTurn> turns = grass.turns;
-  if (!round.varies(grass.turns)) return turns;
+  if (!round.varies(&Grassleaf::turns)) return turns;
   for (LocalTurn& turn : turns) {
     turn.from = round.step(turn.from, kTurnPlaceStep);
     turn.to = std::max(turn.from, round.step(turn.to, kTurnPlaceStep));
@@ -196,8 +199,9 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
   set(out.directions().gravity(site.frame.origin).vector(), numbers.gravity_x, numbers.gravity_y);
-  numbers.stiffness = round.own_octaves(forces.strip.stiffness, kRadiusSteps);
-  numbers.tip_thickness = round.own_octaves(forces.strip.tip_thickness, kRadiusSteps);
+  const ComponentMember<LeafStrip> strip = member_of(grass, &Grassleaf::forces, &GrassForces::strip);
+  numbers.stiffness = round.own_octaves(strip.part(&LeafStrip::stiffness), kRadiusSteps);
+  numbers.tip_thickness = round.own_octaves(strip.part(&LeafStrip::tip_thickness), kRadiusSteps);
 }
 
 ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
@@ -220,7 +224,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   numbers.full_age = grass.full_age;
   const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
   const double step = grass.full_age / kAgeSteps;
-  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(grass.age);
+  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(&Grassleaf::age);
   numbers.age = is_rounded ? round.step(age, step) : age;
   // Rounding must neither remove a young leaf nor make a leaf older than its midribs.
   if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
@@ -230,23 +234,24 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   if (grass.stages.bend) {
     if (grass.inclination) {
       const double inclination = *grass.inclination * grass.inclination_factor;
-      const bool is_drawn = round.varies(*grass.inclination) || round.varies(grass.inclination_factor);
+      const bool is_drawn = round.varies(&Grassleaf::inclination) || round.varies(&Grassleaf::inclination_factor);
       numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
     } else {
-      numbers.inclination_factor = round.own(grass.inclination_factor, kFactorStep);
+      numbers.inclination_factor = round.own(member_of(grass, &Grassleaf::inclination_factor), kFactorStep);
     }
   }
   note_forces(grass, site, out, round, numbers);
   if (grass.stages.blade) {
-    const GrassBlade& blade = grass.blade;
-    numbers.twist = round.own(blade.twist, kShapeAngleStep);
-    numbers.fold = round.own(blade.fold, kShapeAngleStep);
-    numbers.roll = round.own(blade.roll, kShapeAngleStep);
-    if (blade.waves.number > 0 && blade.waves.depth != 0) {
-      numbers.waves = round.own(blade.waves.number, kWaveNumberStep);
-      numbers.waves_depth = round.own(blade.waves.depth, kWaveStep);
-      numbers.waves_left = round.own(blade.waves.left, 6 * kShapeAngleStep);
-      numbers.waves_right = round.own(blade.waves.right, 6 * kShapeAngleStep);
+    const ComponentMember<GrassBlade> blade = member_of(grass, &Grassleaf::blade);
+    numbers.twist = round.own(blade.part(&GrassBlade::twist), kShapeAngleStep);
+    numbers.fold = round.own(blade.part(&GrassBlade::fold), kShapeAngleStep);
+    numbers.roll = round.own(blade.part(&GrassBlade::roll), kShapeAngleStep);
+    const ComponentMember<EdgeWaves> waves = blade.part(&GrassBlade::waves);
+    if (waves.value().number > 0 && waves.value().depth != 0) {
+      numbers.waves = round.own(waves.part(&EdgeWaves::number), kWaveNumberStep);
+      numbers.waves_depth = round.own(waves.part(&EdgeWaves::depth), kWaveStep);
+      numbers.waves_left = round.own(waves.part(&EdgeWaves::left), 6 * kShapeAngleStep);
+      numbers.waves_right = round.own(waves.part(&EdgeWaves::right), 6 * kShapeAngleStep);
     }
     if (grass.sheath.length > 0) {
       numbers.clasp = grass.sheath.clasp;
@@ -372,7 +377,8 @@ Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitt
 void emit_sheath(const Grassleaf& grass, const Site& site, Emitter& out) {
   const GrassSheath& sheath = grass.sheath;
   const auto radius = static_cast<float>(sheath_radius(sheath, site)), length = static_cast<float>(sheath.length);
-  const double open = Rounding(grass, out).own(sheath.open, kShapeAngleStep);
+  const double open =
+      Rounding(grass, out).own(member_of(grass, &Grassleaf::sheath, &GrassSheath::open), kShapeAngleStep);
   out.blade(
       Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, length, 0), Vec3(0, 0, radius))}, shape_key({1, open}),
       [&] { return make_sheath(open); }, Vec3(1));

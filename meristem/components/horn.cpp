@@ -186,7 +186,7 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
 void expand(const Horn& horn, const Site& site, Emitter& out) {
   const StemTropisms tropisms{&out.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
-  out.expect_parts(horn.ribs);
+  out.expect_parts(member_of(horn, &Horn::ribs));
   const std::vector<Rib> ribs = ribs_of(horn, path);
   if (horn.section == Horn::Section::ring) {
     out.stem(std::move(path.skeleton), horn.surface, nullptr, horn.trim);

@@ -27,7 +27,7 @@ NeedleShoot shared_shoot(const Needles& needles, const Emitter& out) {
   shoot.axis_radius = exact.axis_radius > 0 ? to_octaves(exact.axis_radius / exact.length, kAxisSteps) : 0;
   for (double NeedleShoot::*angle :
        {&NeedleShoot::base_angle, &NeedleShoot::tip_angle, &NeedleShoot::spread, &NeedleShoot::curl}) {
-    if (varies(out, needles, exact.*angle)) shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
+    if (out.varies(member_of(needles, &Needles::shoot, angle))) shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
   }
   return shoot;
 }

@@ -18,7 +18,7 @@ constexpr const char* kZone = "'theta1' below 'theta2'";
 
 void expand(const Phiball& ball, const Site&, Emitter& out) {
   out.no_children();
-  const std::uint32_t number = out.expect_parts(ball.number);
+  const std::uint32_t number = out.expect_parts(member_of(ball, &Phiball::number));
   std::vector<double> size = out.per_child(ball.size, number);
   double whole = 0;
   // The last child takes the area of its current size.
@@ -89,8 +89,9 @@ ComponentType phiball_component() {
       .expand = expand,
       .minimum_counts =
           [](const Phiball& ball, const KnownMembers& known) {
-            if (ball.size.varying || known.varies(ball.size)) return MinimumCounts();
-            return MinimumCounts{.children = known.minimum(ball.number), .child_scale = ball.size.plain};
+            if (ball.size.varying || known.varies(member_of(ball, &Phiball::size))) return MinimumCounts();
+            return MinimumCounts{.children = known.minimum(member_of(ball, &Phiball::number)),
+                                 .child_scale = ball.size.plain};
           },
   });
 }

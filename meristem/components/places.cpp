@@ -372,7 +372,7 @@ double fewest_sites(const PlantedArea& area) {
 }
 
 MinimumCounts minimum_counts(const Places& places, const KnownMembers& known) {
-  if (places.size.varying || known.varies(places.size)) return {};  // sizes may be 0
+  if (places.size.varying || known.varies(member_of(places, &Places::size))) return {};  // sizes may be 0
   MinimumCounts counts{.child_scale = places.size.plain};
   if (!places.table) {
     counts.shuns_obstacles = true;

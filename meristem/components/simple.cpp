@@ -80,7 +80,7 @@ void expand(const Simple& simple, const Site&, Emitter& out) {
 
 double minimum_triangles(const Simple& simple, const KnownMembers& known) {
   if (is_section(simple.shape) || simple.shape == Simple::Shape::none) return 0;
-  const int segments = std::max(3, static_cast<int>(known.minimum(simple.segments)));
+  const int segments = std::max(3, static_cast<int>(known.minimum(member_of(simple, &Simple::segments))));
   return static_cast<double>(make_unit_shape(static_cast<UnitShape>(simple.shape), segments).triangle_count());
 }
 

@@ -86,8 +86,10 @@ ComponentType subdocument_component() {
       .expand = expand,
       .minimum_counts =
           [](const Subdocument& document, const KnownMembers& known) {
-            const bool has_own_seeds = !document.seed && !document.variants && !known.varies(document.seed);
-            const bool is_placed = known.varies(document.place) || document.place.scale != Vec3(1);
+            const bool has_own_seeds =
+                !document.seed && !document.variants && !known.varies(member_of(document, &Subdocument::seed));
+            const bool is_placed =
+                known.varies(member_of(document, &ComponentBase::place)) || document.place.scale != Vec3(1);
             return MinimumCounts{.grows_other = has_own_seeds && !is_placed};
           },
   });

@@ -44,11 +44,13 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 
 MinimumCounts minimum_counts(const Tree& tree, const KnownMembers& known) {
   MinimumCounts counts{.children = 1};
-  if (!known.varies(tree.stem.segments)) counts.nodes = tree.stem.segments + 1.0;
+  if (!known.varies(member_of(tree, &Tree::stem, &StemParameters::segments))) counts.nodes = tree.stem.segments + 1.0;
   const Placement& own = tree.branching;
   const Placement plain;
-  counts.bears_along = tree.stem.length > 0 && !known.varies(tree.stem.length) && !known.varies(own) && !own.where &&
-                       own.spread == plain.spread && own.size == plain.size && own.start == 0 && own.end == 1;
+  const bool varies = known.varies(member_of(tree, &Tree::stem, &StemParameters::length)) ||
+                      known.varies(member_of(tree, &Tree::branching));
+  counts.bears_along = tree.stem.length > 0 && !varies && !own.where && own.spread == plain.spread &&
+                       own.size == plain.size && own.start == 0 && own.end == 1;
   return counts;
 }
 

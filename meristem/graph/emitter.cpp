@@ -75,12 +75,7 @@ const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
 double Emitter::time() const { return site_.clock.at(context_->time); }
-bool Emitter::varies(std::size_t offset) const {
-  return std::ranges::any_of(context_->prototype.varyings, [&](const Varying& varying) {
-    return (varying.way.empty() ? varying.offset : varying.way[0].offset) == offset;
-  });
-}
-
+std::span<const Varying> Emitter::varyings() const { return context_->prototype.varyings; }
 RandomKey Emitter::component_key() const { return context_->key; }
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
@@ -117,7 +112,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   organs_of_instance_ = 0;
   stands_as_grown_ = false;
   expected_ = 0;
-  parts_ = nullptr;
+  parts_.reset();
   site_.part = 1;
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
@@ -142,10 +137,10 @@ void Emitter::end_instance() {
       return true;
     });
   }
-  if (parts_ != nullptr) keyed_parts_ = keys_of_parts();
+  if (parts_) keyed_parts_ = keys_of_parts();
   // In components with ribs the count is for the ribs, and there is one child at the tip.
-  finish_sites(child_sites, first_child_, parts_ != nullptr && !context_->prototype.type->has_ribs);
-  finish_sites(branch_sites, first_branch_, parts_ != nullptr);
+  finish_sites(child_sites, first_child_, parts_.has_value() && !context_->prototype.type->has_ribs);
+  finish_sites(branch_sites, first_branch_, parts_.has_value());
   number_named_sites();
   for (SiteList* const sites : {&child_sites, &branch_sites, &named_sites}) sites->pack_chunks();
   if (uncounted_ >= kCountedTogether / 8) count_sites();
@@ -166,9 +161,8 @@ void Emitter::finish_sites(SiteList& sites, std::size_t first, bool has_parts) {
 
 /// Returns the keys of the count of parts that the instance has announced, or null if it has no keys.
 const Varying* Emitter::keys_of_parts() const {
-  const auto offset = reinterpret_cast<const std::byte*>(parts_) - reinterpret_cast<const std::byte*>(base_);
   const auto is_its = [&](const Varying& varying) {
-    return varying.way.empty() && varying.offset == static_cast<std::size_t>(offset) && varying.keys != nullptr;
+    return varying.way.empty() && varying.offset == parts_->offset() && varying.keys != nullptr;
   };
   const auto keyed = std::ranges::find_if(context_->prototype.varyings, is_its);
   return keyed == context_->prototype.varyings.end() || keyed->expression ? nullptr : &*keyed;
@@ -176,7 +170,7 @@ const Varying* Emitter::keys_of_parts() const {
 
 /// Sets when the part at a site of a count appears, and the size of the last part.
 void Emitter::tell_part(Site& site) const {
-  const auto last = static_cast<float>(parts_->last());
+  const auto last = static_cast<float>(parts_->value().last());
   site.part = last;
   if (site.i + 1 == site.n && last < 1) site.frame.axes *= last;
   if (keyed_parts_ == nullptr) return;
@@ -542,7 +536,7 @@ std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t cou
     children[k].i = k;
     children[k].n = count;
     children[k].key = key.child(k);
-    if (parts_ != nullptr) children[k].part = static_cast<float>(parts_->last());
+    if (parts_) children[k].part = static_cast<float>(parts_->value().last());
   }
   const VaryingValues evaluated(std::span(&*number.varying, 1), children, context_->time);
   std::vector<double> values(count);
@@ -556,10 +550,10 @@ void Emitter::expect_children(std::uint64_t count) {
   if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
 
-std::uint32_t Emitter::expect_parts(const Count& count) {
-  parts_ = &count;
-  expect_children(count.parts());
-  return count.parts();
+std::uint32_t Emitter::expect_parts(const ComponentMember<Count>& count) {
+  parts_ = count;
+  expect_children(count.value().parts());
+  return count.value().parts();
 }
 
 bool Emitter::begin_clock(double delay, double speed) {

@@ -16,6 +16,8 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/animation.h"
+#include "meristem/graph/component_member.h"
+#include "meristem/graph/minimum_counts.h"
 #include "meristem/graph/organ_list.h"
 #include "meristem/graph/placement.h"
 #include "meristem/graph/site_list.h"
@@ -212,7 +214,7 @@ class Emitter : private Emitted {
   /// Like `expect_children`, for a count of the instance's parameters, which may have a fraction. The site of the last
   /// child is scaled by the fractional part. Returns the number of sites to emit. If the count has keys, each child
   /// appears when the count reaches its number.
-  std::uint32_t expect_parts(const Count& count);
+  std::uint32_t expect_parts(const ComponentMember<Count>& count);
   /// Begins a clock for all descendants of the instance. It starts `delay` seconds after the instance appears, by the
   /// instance's own clock, and runs at `speed`. Returns true if it has started.
   bool begin_clock(double delay, double speed);
@@ -250,9 +252,11 @@ class Emitter : private Emitted {
   /// Returns the limits of the document.
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
-  /// Returns true if a number or list of the component's struct differs from instance to instance. `offset` is its
-  /// position in the struct, bytes.
-  bool varies(std::size_t offset) const;
+  /// Returns true if a member of the component's parameters, or a part of it, differs from instance to instance.
+  template <class M>
+  bool varies(const ComponentMember<M>& member) const {
+    return KnownMembers(varyings()).varies(member);
+  }
   /// Returns the progress of the expansion, for a cancel.
   Progress& progress() const;
   /// Returns the time of the instance's clock, seconds.
@@ -279,6 +283,7 @@ class Emitter : private Emitted {
   Emitted take();
 
  private:
+  std::span<const Varying> varyings() const;
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
   void finish_sites(SiteList& sites, std::size_t first, bool has_parts);
@@ -321,10 +326,10 @@ class Emitter : private Emitted {
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
   std::uint32_t organs_of_instance_ = 0;
-  std::uint64_t uncounted_ = 0;           // number of sites that are not yet in the context's count
-  const Varying* keyed_parts_ = nullptr;  // keys of the present instance's count of parts, or null
-  const Count* parts_ = nullptr;          // the present instance's count of parts, if it has announced one
-  std::uint64_t expected_ = 0;            // the present instance's number of children, if it has announced it
+  std::uint64_t uncounted_ = 0;                  // number of sites that are not yet in the context's count
+  const Varying* keyed_parts_ = nullptr;         // keys of the present instance's count of parts, or null
+  std::optional<ComponentMember<Count>> parts_;  // the present instance's count of parts, if it has announced one
+  std::uint64_t expected_ = 0;                   // the present instance's number of children, if it has announced it
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;

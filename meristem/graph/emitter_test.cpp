@@ -221,7 +221,7 @@ TEST(Emitter, TooManyExpectedChildrenAreRefusedBeforeOneIsMade) {
 
 TEST(Emitter, OfAPartedCountTheLastChildIsSmallerByTheFraction) {
   grow(builder_of("probe"), [](const Probe& probe, const Site&, Emitter& out) {
-    const std::uint32_t count = out.expect_parts(probe.parts);
+    const std::uint32_t count = out.expect_parts(member_of(probe, &Probe::parts));
     EXPECT_EQ(count, 3U);
     for (std::uint32_t k = 0; k < count; ++k) out.child_site(Frame{});
   });

@@ -53,19 +53,19 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
                         context.limits, context.component, context.progress);
 }
 
-void expand(const Colonize& tree, const Site& site, Emitter& out) {
-  Skeleton skeleton = out.take_grown();
-  const bool is_film = out.grows_in_time();
+void expand(const Colonize& tree, const Site& site, const InstanceContext& instance, StemSink& stems) {
+  Skeleton skeleton = stems.take_grown();
+  const bool is_film = instance.grows_in_time();
   std::vector<std::uint8_t> shed;
   if (tree.shed) shed = nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed"));
   if (tree.shed && is_film) {
-    let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);
+    let_fall(skeleton, shed, instance.animation().hold * *instance.animation().steps_per_second);
   } else if (tree.shed) {
     skeleton = shed_branches(skeleton, shed);
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
+  stems.add(std::move(skeleton), tree.surface, {.trim = tree.trim, .pipe_exponent = tree.growth.radii.exponent});
 }
 
 MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {

@@ -63,17 +63,17 @@ LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
   return blade;
 }
 
-void expand(const Leaf& leaf, const Site&, Emitter& out) {
+void expand(const Leaf& leaf, const Site&, const InstanceContext& instance, OrganSink& organs) {
   // Most leaves reuse an existing blade.
   const ComponentMember<LeafBlade> blade = member_of(leaf, &Leaf::blade);
-  const SharedNumbers shared(leaf, [&](double LeafBlade::*number) { return out.varies(blade.part(number)); });
+  const SharedNumbers shared(leaf, [&](double LeafBlade::*number) { return instance.varies(blade.part(number)); });
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
   frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * shared.width));
   const std::uint64_t key =
       shape_key({shared.width, shared.curl, shared.curl_across, shared.fold, shared.petiole, shared.petiole_radius,
                  static_cast<double>(leaf.blade.rows), static_cast<double>(leaf.blade.across)});
-  out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
+  organs.add(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
 }
 
 /// If leaves differ, at least two triangles of each are certain: rows where the outline is 0 have none.

@@ -53,12 +53,12 @@ std::uint64_t seed_of(const Subdocument& document, const Site& site) {
   return 1 + std::min(drawn, static_cast<std::uint64_t>(*document.variants - 1));
 }
 
-void expand(const Subdocument& document, const Site& site, Emitter& out) {
+void expand(const Subdocument& document, const Site& site, OrganSink& organs) {
   PlantRequest request{.seed = seed_of(document, site)};
   for (const auto& [name, set] : document.set) {
     request.values.emplace_back(name, std::clamp(set.value, set.min, set.max));
   }
-  out.plant(Frame{}, document.source, std::move(request));
+  organs.add_plant(Frame{}, document.source, std::move(request));
 }
 
 }  // namespace

@@ -61,10 +61,10 @@ static_assert(!Knows<KnownMembers, Blade>);
 static_assert(KnowsMinimum<KnownMembers, ComponentMember<int>>);
 static_assert(!KnowsMinimum<KnownMembers, int>);
 static_assert(!KnowsMinimum<KnownMembers, Count>);
-static_assert(Knows<Emitter, ComponentMember<double>>);
-static_assert(!Knows<Emitter, double>);
-static_assert(!Knows<Emitter, const double&>);
-static_assert(!Knows<Emitter, std::size_t>);
+static_assert(Knows<InstanceContext, ComponentMember<double>>);
+static_assert(!Knows<InstanceContext, double>);
+static_assert(!Knows<InstanceContext, const double&>);
+static_assert(!Knows<InstanceContext, std::size_t>);
 static_assert(!std::is_constructible_v<ComponentMember<double>, double>);
 static_assert(!std::is_constructible_v<ComponentMember<Blade>, const Blade&>);
 

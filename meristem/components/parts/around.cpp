@@ -21,12 +21,12 @@ const ParameterTable& around_table() {
   return table;
 }
 
-std::vector<ChildAround> children_around(const ComponentMember<Around>& member, Emitter& out) {
+std::vector<ChildAround> children_around(const ComponentMember<Around>& member, SiteSink& sites) {
   const Around& around = member.value();
-  const std::uint32_t number = out.expect_parts(member.part(&Around::number));
-  const std::vector<double> angle = out.per_child(around.angle, number);
-  const std::vector<double> size = out.per_child(around.size, number);
-  const std::vector<double> roll = out.per_child(around.roll, number);
+  const std::uint32_t number = sites.expect_parts(member.part(&Around::number));
+  const std::vector<double> angle = sites.per_child(around.angle, number);
+  const std::vector<double> size = sites.per_child(around.size, number);
+  const std::vector<double> roll = sites.per_child(around.roll, number);
   const bool is_closed = around.arc >= 2 * kPi - 1e-9;
   const double gaps = is_closed ? around.number.value : around.number.value - 1.0;
   // A second child appears beside the first one, and then they move apart evenly.

@@ -27,7 +27,7 @@ struct ChildAround {
 /// Returns the children. For a fractional count, the last child appears between the others. Children on a full circle
 /// begin at 0. On an arc they are symmetric about 0, with children at both ends. Throws InputError if there are more
 /// than the limit.
-std::vector<ChildAround> children_around(const ComponentMember<Around>& member, Emitter& out);
+std::vector<ChildAround> children_around(const ComponentMember<Around>& member, SiteSink& sites);
 
 /// Returns the minimum number of children of a component whose children are placed around it.
 MinimumCounts minimum_around(const ComponentMember<Around>& member, const KnownMembers& known);

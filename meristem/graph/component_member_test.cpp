@@ -9,7 +9,7 @@
 #include "meristem/graph/component.h"
 #include "meristem/graph/minimum_counts.h"
 
-namespace meristem {
+namespace meristem::component_member_test {
 
 namespace {
 
@@ -143,4 +143,4 @@ TEST(KnownMembers, TheMinimumOfANumberIsItsPlainValueOrTheLowerEndOfItsRange) {
 
 }  // namespace
 
-}  // namespace meristem
+}  // namespace meristem::component_member_test

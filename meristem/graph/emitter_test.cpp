@@ -10,7 +10,9 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/probe_component.h"
 
-namespace meristem::probe {
+namespace meristem::emitter_test {
+
+using namespace meristem::probe;
 
 namespace {
 
@@ -94,4 +96,4 @@ static_assert(!std::is_constructible_v<ExpandFunction<Probe>, void (*)(const Oth
 
 }  // namespace
 
-}  // namespace meristem::probe
+}  // namespace meristem::emitter_test

@@ -10,7 +10,9 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/probe_component.h"
 
-namespace meristem::probe {
+namespace meristem::instance_context_test {
+
+using namespace meristem::probe;
 
 namespace {
 
@@ -64,4 +66,4 @@ TEST(InstanceContext, DirectionsAreThoseOfTheSceneUnlessAComponentSetsThem) {
 
 }  // namespace
 
-}  // namespace meristem::probe
+}  // namespace meristem::instance_context_test

@@ -10,7 +10,9 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/probe_component.h"
 
-namespace meristem::probe {
+namespace meristem::organ_sink_test {
+
+using namespace meristem::probe;
 
 namespace {
 
@@ -111,4 +113,4 @@ TEST(OrganSink, TooManyBytesOfMeshesAreAnInputError) {
 
 }  // namespace
 
-}  // namespace meristem::probe
+}  // namespace meristem::organ_sink_test

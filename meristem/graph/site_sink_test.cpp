@@ -10,7 +10,9 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/probe_component.h"
 
-namespace meristem::probe {
+namespace meristem::site_sink_test {
+
+using namespace meristem::probe;
 
 namespace {
 
@@ -153,4 +155,4 @@ TEST(SiteSink, APlainNumberIsEqualForAllChildren) {
 
 }  // namespace
 
-}  // namespace meristem::probe
+}  // namespace meristem::site_sink_test

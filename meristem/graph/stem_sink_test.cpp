@@ -11,7 +11,9 @@
 #include "tests/support/build_graph.h"
 #include "tests/support/probe_component.h"
 
-namespace meristem::probe {
+namespace meristem::stem_sink_test {
+
+using namespace meristem::probe;
 
 namespace {
 
@@ -108,4 +110,4 @@ TEST(StemSink, EachRootOfTheFirstStemOfAPlantIsAPlant) {
 
 }  // namespace
 
-}  // namespace meristem::probe
+}  // namespace meristem::stem_sink_test

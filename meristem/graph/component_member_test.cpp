@@ -11,8 +11,6 @@
 
 namespace meristem::component_member_test {
 
-namespace {
-
 struct Tip {
   double width = 1;
   float angle = 2;
@@ -140,7 +138,5 @@ TEST(KnownMembers, TheMinimumOfANumberIsItsPlainValueOrTheLowerEndOfItsRange) {
   EXPECT_EQ(KnownMembers(varyings).minimum(member_of(sprig, &Sprig::parts)), 2);
   EXPECT_EQ(KnownMembers(varyings).minimum(member_of(sprig, &Sprig::leaves)), 5);
 }
-
-}  // namespace
 
 }  // namespace meristem::component_member_test

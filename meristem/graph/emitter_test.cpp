@@ -14,8 +14,6 @@ namespace meristem::emitter_test {
 
 using namespace meristem::probe;
 
-namespace {
-
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -93,7 +91,5 @@ TEST(ExpandFunction, TakesWhatItNeedsInAnyOrder) {
 
 struct Other : ComponentBase {};
 static_assert(!std::is_constructible_v<ExpandFunction<Probe>, void (*)(const Other&, const Site&, SiteSink&)>);
-
-}  // namespace
 
 }  // namespace meristem::emitter_test

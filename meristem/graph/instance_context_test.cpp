@@ -14,8 +14,6 @@ namespace meristem::instance_context_test {
 
 using namespace meristem::probe;
 
-namespace {
-
 TEST(InstanceContext, InstancesHaveKeysOfTheirOwnAndOneOfTheirComponent) {
   std::set<std::uint64_t> own, shared;
   grow(three_probes(), [&](const Probe&, const Site& site, Emitter& out) {
@@ -63,7 +61,5 @@ TEST(InstanceContext, DirectionsAreThoseOfTheSceneUnlessAComponentSetsThem) {
   });
   EXPECT_EQ(below, east);
 }
-
-}  // namespace
 
 }  // namespace meristem::instance_context_test

@@ -14,8 +14,6 @@ namespace meristem::organ_sink_test {
 
 using namespace meristem::probe;
 
-namespace {
-
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -110,7 +108,5 @@ TEST(OrganSink, TooManyBytesOfMeshesAreAnInputError) {
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_THAT(errors[0].text(), HasSubstr("limits.mesh_bytes"));
 }
-
-}  // namespace
 
 }  // namespace meristem::organ_sink_test

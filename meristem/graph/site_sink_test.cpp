@@ -14,8 +14,6 @@ namespace meristem::site_sink_test {
 
 using namespace meristem::probe;
 
-namespace {
-
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -152,7 +150,5 @@ TEST(SiteSink, APlainNumberIsEqualForAllChildren) {
     EXPECT_TRUE(out.sites().per_child(PerChild(1.5), 0).empty());
   });
 }
-
-}  // namespace
 
 }  // namespace meristem::site_sink_test

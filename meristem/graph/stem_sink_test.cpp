@@ -15,8 +15,6 @@ namespace meristem::stem_sink_test {
 
 using namespace meristem::probe;
 
-namespace {
-
 using testing::HasSubstr;
 
 TEST(StemSink, AStemThatIsWholeKeepsItsLengthAndFrames) {
@@ -107,7 +105,5 @@ TEST(StemSink, EachRootOfTheFirstStemOfAPlantIsAPlant) {
   ASSERT_EQ(plant.individuals.size(), 2U);
   EXPECT_EQ(plant.individuals[1].foot, Vec3(4, 0, 0));
 }
-
-}  // namespace
 
 }  // namespace meristem::stem_sink_test

@@ -54,7 +54,7 @@ meristem::Document maple(const std::string& ffd) {
     put(R"(["view", "trunk"])", R"(["view", "wind"], ["wind", "trunk"])");
     put(R"("components": {)", R"("components": {"wind": {"type": "ffd", )" + ffd + "}, ");
   }
-  std::vector<meristem::Override> overrides;
+  std::vector<meristem::ValueOverride> overrides;
   if (is_small()) overrides.push_back({.path = "trunk.count", .value = 1, .name = {}});
   return read_document(text, kMaple, meristem::builtin_components(), {.overrides = overrides});
 }

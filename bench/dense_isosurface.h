@@ -134,7 +134,7 @@ class DenseTree {
     return {glm::vec3(box.origin), glm::mat3(box.axes), glm::vec3(box.half)};
   }
 
-  static Span span_of(const Solid& solid, double pad, const DenseGrid& grid) {
+  static Span span_of(const ImplicitSolid& solid, double pad, const DenseGrid& grid) {
     DVec3 low, high;
     if (const auto* flat = std::get_if<distance::FlatCone<double>>(&solid)) {
       const DVec3 reach = glm::abs(flat->half * flat->axis) + std::max(flat->low_radius, flat->high_radius);
@@ -167,7 +167,7 @@ class DenseTree {
   }
 
   /// Cuts the ground away.
-  void cut(const Solid& ground, double pad, const DenseGrid& grid, std::vector<float>& values) const {
+  void cut(const ImplicitSolid& ground, double pad, const DenseGrid& grid, std::vector<float>& values) const {
     const Span span = span_of(ground, pad, grid);
     for (int z = span.low.z; z < span.high.z; ++z) {
       for (int y = span.low.y; y < span.high.y; ++y) {

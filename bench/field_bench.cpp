@@ -65,7 +65,7 @@ void vortex(benchmark::State& state) {
   stem_in(state, in_gravity(std::make_shared<VortexField>(FieldAxis{{1, 0, 0}}, 0.2)));
 }
 void gusts(benchmark::State& state) {
-  stem_in(state, in_gravity(std::make_shared<WindField>(Vec3(1, 0, 0), Gusts{.share = 0.5, .size = 2})));
+  stem_in(state, in_gravity(std::make_shared<WindField>(Vec3(1, 0, 0), WindGusts{.share = 0.5, .size = 2})));
 }
 void expressions(benchmark::State& state) {
   const auto field = std::make_shared<ExpressionField>(formula({"-(x - 1)", "-1", "0.5 - z*abs(y)/(1 + x^2)"}));

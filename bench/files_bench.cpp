@@ -17,8 +17,9 @@
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/plant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/leaf/leaf_blade.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace {
@@ -99,7 +100,7 @@ void place_and_write_leaves(benchmark::State& state) {
   if (state.range(0) != 0) options.instances = GltfInstances::rows;
   for (auto _ : state) {
     Progress progress;
-    write_glb(make_mesh_scene(plant, Limits{}, progress), file.path(), options, progress);
+    write_glb(make_mesh_scene(plant, SizeLimits{}, progress), file.path(), options, progress);
   }
   state.counters["triangles"] = static_cast<double>(plant.prototypes[0].mesh->triangle_count() * plant.organs.size());
   state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file.path()));
@@ -178,7 +179,7 @@ BENCHMARK(reference_large)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void reference_leaves(benchmark::State& state) {
   Progress progress;
-  write_finished_bytes(state, make_mesh_scene(leafy_plant(bench::sized(63'000, 300)), Limits{}, progress));
+  write_finished_bytes(state, make_mesh_scene(leafy_plant(bench::sized(63'000, 300)), SizeLimits{}, progress));
 }
 BENCHMARK(reference_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
 

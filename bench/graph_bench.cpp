@@ -37,21 +37,21 @@
 #include "meristem/measure/measures.h"
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
-#include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 
 namespace {
 
 using meristem::BatchResult;
+using meristem::CacheReuse;
 using meristem::Document;
 using meristem::GltfInstances;
 using meristem::GrownBatch;
 using meristem::GrownDocument;
 using meristem::GrownPart;
 using meristem::GrowthCache;
-using meristem::Override;
 using meristem::Progress;
-using meristem::Reuse;
 using meristem::StemTubes;
+using meristem::ValueOverride;
 using meristem::bench::Asked;
 using meristem::bench::is_small;
 using meristem::bench::sized;
@@ -62,13 +62,13 @@ const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 
 const std::string kTulip = std::string(MERISTEM_SOURCE_DIR) + "/models/tulip.json";
 
-Document read(const std::string& file, const std::vector<Override>& overrides = {}) {
+Document read(const std::string& file, const std::vector<ValueOverride>& overrides = {}) {
   return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), {.overrides = overrides});
 }
 
 /// Returns a large document, or a small document of its kind in small runs.
 Document read_large(const std::string& file) {
-  std::vector<Override> overrides;
+  std::vector<ValueOverride> overrides;
   if (is_small()) {
     if (file == kMaple) overrides.push_back({.path = "trunk.count", .value = 1, .name = {}});
     if (file == kMaize) overrides.push_back({.path = "field.rows", .value = 2, .name = {}});
@@ -76,7 +76,7 @@ Document read_large(const std::string& file) {
   return read(file, overrides);
 }
 
-double share_made(const Reuse& reuse) {
+double share_made(const CacheReuse& reuse) {
   const auto all = static_cast<double>(reuse.made + reuse.reused);
   return all > 0 ? static_cast<double>(reuse.made) / all : 0;
 }
@@ -122,7 +122,7 @@ class Times {
 };
 
 /// One number changes slightly at every step. Measures everything from the document's text to the meshes.
-void edit(benchmark::State& state, const std::string& file, std::vector<Override> overrides, const char* path,
+void edit(benchmark::State& state, const std::string& file, std::vector<ValueOverride> overrides, const char* path,
           double value) {
   Progress progress;
   GrowthCache cache;
@@ -152,7 +152,7 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
 }
 
 /// One limb of the crown.
-const std::vector<Override> kOneLimb = {{.path = "trunk.count", .value = 1, .name = {}}};
+const std::vector<ValueOverride> kOneLimb = {{.path = "trunk.count", .value = 1, .name = {}}};
 
 void edit_leaves(benchmark::State& state) { edit(state, kMaple, kOneLimb, "leaf.curl", 25); }
 void edit_shoots(benchmark::State& state) { edit(state, kMaple, kOneLimb, "shoot.radius", 0.0024); }

@@ -46,8 +46,8 @@ const int kResolution = bench::sized(200, 40);
 Skeleton draw_grammar(const char* text, int steps, const TurtleParameters& turtle) {
   Progress progress;
   const Grammar grammar = read_grammar(text);
-  const Word word = derive_drawn(grammar, steps, RandomKey(1), Limits(), progress);
-  return draw(word, grammar.alphabet, turtle, {}, Limits(), "", progress).skeleton;
+  const Word word = derive_drawn(grammar, steps, RandomKey(1), SizeLimits(), progress);
+  return draw(word, grammar.alphabet, turtle, {}, SizeLimits(), "", progress).skeleton;
 }
 
 Skeleton honda_tree() {
@@ -76,7 +76,7 @@ Skeleton spruce() {
 }
 
 std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
-  std::vector<AxisIndex> axes(Axes(skeleton).count());
+  std::vector<AxisIndex> axes(SkeletonAxes(skeleton).count());
   std::iota(axes.begin(), axes.end(), AxisIndex{0});
   return axes;
 }
@@ -84,13 +84,13 @@ std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
 /// Makes the body as documents do for a resolution.
 ImplicitBody stem_body(const Skeleton& skeleton, int resolution) {
   const std::vector<AxisIndex> axes = all_axes(skeleton);
-  const Surface surface{.resolution = resolution};
+  const SurfaceOptions surface{.resolution = resolution};
   return make_stem_body(skeleton, axes, surface, find_thickening(skeleton, axes, surface).min_radius);
 }
 
 Mesh extract(const ImplicitBody& body, int resolution, bool normals) {
   Progress progress;
-  return extract_isosurface(body, {.resolution = resolution, .normals = normals}, Limits(), "", progress);
+  return extract_isosurface(body, {.resolution = resolution, .normals = normals}, SizeLimits(), "", progress);
 }
 
 Mesh extract_everywhere(const ImplicitBody& body) {
@@ -174,7 +174,7 @@ BENCHMARK(own_boxes)->Unit(benchmark::kMillisecond);
 
 void count_bricks(benchmark::State& state, const ImplicitBody& body) {
   Progress progress;
-  const BodyBricks bricks = sample_body(body, cell_size(body, kResolution), Limits(), "", progress);
+  const BodyBricks bricks = sample_body(body, cell_size(body, kResolution), SizeLimits(), "", progress);
   std::size_t count = 0;
   std::size_t solids = 0;
   for (std::size_t chunk = 0; chunk < bricks.parts.size(); ++chunk) {

@@ -14,8 +14,8 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
-#include "meristem/output/detail_levels.h"
-#include "meristem/shape/outline.h"
+#include "meristem/export/detail_levels.h"
+#include "meristem/shape/outline/outline.h"
 
 namespace {
 

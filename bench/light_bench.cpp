@@ -126,7 +126,7 @@ void evaluation(benchmark::State& state) {
         const Scene& scene = scenes[k / (clouds * shifts)];
         const LightResponse light{.shift = 0.001 * static_cast<double>(k / clouds % shifts)};
         const Skeleton tree = meristem::grow_evaluation_tree(meristem::evaluation_cloud(k % clouds), scene, light);
-        forms[k] = measure_form(tree, meristem::Children(tree));
+        forms[k] = measure_form(tree, meristem::NodeChildren(tree));
         lit_shares[k] = meristem::measure_crown_light(forms[k].crown_hull, scene).lit_share;
       }
     });

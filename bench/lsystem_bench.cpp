@@ -118,7 +118,7 @@ HardCodedWord derive_hard_coded() {
 Word derive_tree(const Grammar& grammar, int threads) {
   const ThreadLimit limit(threads);
   Progress progress;
-  return derive(grammar, kSteps, RandomKey(1), Limits(), progress);
+  return derive(grammar, kSteps, RandomKey(1), SizeLimits(), progress);
 }
 
 /// The state of a drawing at a branch.
@@ -214,7 +214,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
 
 Skeleton draw_tree(const Grammar& grammar, const Word& word) {
   Progress progress;
-  return draw(word, grammar.alphabet, {}, {}, Limits(), "", progress).skeleton;
+  return draw(word, grammar.alphabet, {}, {}, SizeLimits(), "", progress).skeleton;
 }
 
 /// Ends the program if derivations or drawings differ.
@@ -308,7 +308,7 @@ void hundred_million(benchmark::State& state) {
   std::size_t modules = 0;
   while (state.KeepRunning()) {
     Progress progress;
-    modules = derive(grammar, kLongSteps, RandomKey(1), Limits(), progress).module_count();
+    modules = derive(grammar, kLongSteps, RandomKey(1), SizeLimits(), progress).module_count();
   }
   state.counters["modules"] = static_cast<double>(modules);
   state.counters["peak_GB"] = meristem::bench::peak_megabytes() / 1024;

@@ -21,12 +21,12 @@
 
 namespace {
 
+using meristem::BudRoom;
 using meristem::CrownPointer;
 using meristem::MarkerField;
 using meristem::MarkerParameters;
 using meristem::RandomKey;
-using meristem::Room;
-using meristem::Seeker;
+using meristem::SpaceSeeker;
 using meristem::Vec3;
 
 constexpr float kLength = 0.1F;       // of a metamer
@@ -53,7 +53,7 @@ class PlainField {
   void occupy(Vec3 position) {
     for_each_near(position, static_cast<float>(kForm.occupancy), [&](std::uint64_t voxel, Vec3) { ++shoots_[voxel]; });
   }
-  void share_out(const std::vector<Seeker>& seekers, std::vector<Room>& rooms, const meristem::Progress&) {
+  void share_out(const std::vector<SpaceSeeker>& seekers, std::vector<BudRoom>& rooms, const meristem::Progress&) {
     struct Claim {
       float square = 1e9F;
       std::size_t seeker = 0;
@@ -118,16 +118,16 @@ struct Tree {
   }
 
   bool grow_once(std::size_t max) {
-    std::vector<Room> rooms(buds.size());
+    std::vector<BudRoom> rooms(buds.size());
     field.share_out(buds, rooms, meristem::Progress());
     looks += buds.size();
     const std::size_t before = shoots.size();
     for (std::size_t k = 0; k < rooms.size() && shoots.size() < max; ++k) {
       if (rooms[k].count < kWanted) continue;
-      Seeker& bud = buds[k];
+      SpaceSeeker& bud = buds[k];
       bud.direction = glm::normalize(0.6F * bud.direction + 0.4F * glm::normalize(rooms[k].way) + 1e-3F);
       bud.position += kLength * bud.direction;
-      Seeker lateral = bud;
+      SpaceSeeker lateral = bud;
       const Vec3 aside = glm::cross(bud.direction, key.direction(shoots.size()));
       lateral.direction = glm::normalize(0.57F * bud.direction + 0.82F * glm::normalize(aside));
       buds.push_back(lateral);
@@ -140,7 +140,7 @@ struct Tree {
 
   RandomKey key{2};
   AnyField field;
-  std::vector<Seeker> buds;
+  std::vector<SpaceSeeker> buds;
   std::vector<Vec3> shoots;
   std::size_t looks = 0;
   int rounds = 0;
@@ -219,10 +219,10 @@ void share_out(benchmark::State& state) {
   const meristem::ThreadLimit limit(static_cast<int>(state.range(2)));
   Tree<Field> tree(crown_of(state.range(1)));
   tree.grow(static_cast<std::size_t>(state.range(0)));
-  std::vector<Room> rooms(tree.buds.size());
+  std::vector<BudRoom> rooms(tree.buds.size());
   for (auto _ : state) tree.field.share_out(tree.buds, rooms, meristem::Progress());
   rate(state, "buds/s", tree.buds.size());
-  const auto blind = std::count_if(rooms.begin(), rooms.end(), [](const Room& room) { return room.count == 0; });
+  const auto blind = std::count_if(rooms.begin(), rooms.end(), [](const BudRoom& room) { return room.count == 0; });
   state.counters["blind"] = static_cast<double>(blind) / static_cast<double>(rooms.size());
 }
 BENCHMARK(share_out)

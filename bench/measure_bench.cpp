@@ -23,6 +23,7 @@
 #include "meristem/measure/organ_light.h"
 #include "meristem/measure/shade.h"
 #include "meristem/measure/surface_points.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 

@@ -26,13 +26,13 @@
 
 namespace {
 
-using meristem::Cut;
+using meristem::CutOperation;
 using meristem::Expression;
-using meristem::Operation;
+using meristem::OperationSchedule;
 using meristem::OrganizeParameters;
-using meristem::Schedule;
 using meristem::ShootChoice;
 using meristem::Skeleton;
+using meristem::TreeOperation;
 using meristem::Vec3;
 
 const meristem::Scene kOpenScene;
@@ -60,12 +60,12 @@ ShootChoice condition(const std::string& text) {
   return {ShootChoice::Kind::condition, text, Expression::compile(text, {meristem::shoot_variables(), {}})};
 }
 
-Operation cut(int at, ShootChoice shoots) {
-  Operation operation;
-  operation.when = Schedule::at(at);
+TreeOperation cut(int at, ShootChoice shoots) {
+  TreeOperation operation;
+  operation.when = OperationSchedule::at(at);
   operation.shoots = std::move(shoots);
   operation.path = "operation";
-  Cut what;
+  CutOperation what;
   what.above = 1;
   operation.what = std::move(what);
   return operation;
@@ -97,10 +97,10 @@ std::vector<std::string> twigs(const Skeleton& tree, std::size_t max) {
 
 /// Compares with the same operations at a time that never comes. This excludes the other costs of a tree with
 /// operations, which `waiting` measures.
-void measure(benchmark::State& state, const std::vector<Operation>& operations, const OrganizeParameters& free) {
+void measure(benchmark::State& state, const std::vector<TreeOperation>& operations, const OrganizeParameters& free) {
   OrganizeParameters pruned = free, waiting = free;
   pruned.operations = waiting.operations = operations;
-  for (Operation& operation : waiting.operations) operation.when = Schedule::at(meristem::kLastIteration);
+  for (TreeOperation& operation : waiting.operations) operation.when = OperationSchedule::at(meristem::kLastIteration);
   double without = 1e9, with = 1e9;
   Skeleton skeleton;
   double whole = 0;
@@ -128,14 +128,14 @@ OrganizeParameters large() {
 
 void by_condition(benchmark::State& state) {
   const OrganizeParameters free = large();
-  const Operation some =
+  const TreeOperation some =
       cut(free.iterations, condition("rank >= 2 && length > 0.15 && length < 0.35 && rand(0, 1) < 0.001"));
-  measure(state, std::vector<Operation>(100, some), free);
+  measure(state, std::vector<TreeOperation>(100, some), free);
 }
 
 void by_label(benchmark::State& state) {
   const OrganizeParameters free = large();
-  std::vector<Operation> operations;
+  std::vector<TreeOperation> operations;
   for (std::string& name : twigs(grow(free).skeleton, 100)) {
     operations.push_back(cut(free.iterations, ShootChoice::label(std::move(name))));
   }
@@ -174,14 +174,14 @@ void row(benchmark::State& state) {
   parameters.iterations = 15;
   parameters.resource.alpha = 2.3;
   const auto add = [&](ShootChoice shoots, auto what) {
-    Operation& operation = parameters.operations.emplace_back();
+    TreeOperation& operation = parameters.operations.emplace_back();
     operation.shoots = std::move(shoots);
     operation.what = std::move(what);
   };
-  add(ShootChoice::leader(), meristem::Support{.line = {Vec3(0), Vec3(0, 1.8F, 0)}});
-  add(ShootChoice::leader(), meristem::Layers{});
-  add(condition("rank == 1"), meristem::Limit{12});
-  add(condition("rank >= 2"), meristem::Spur{2});
+  add(ShootChoice::leader(), meristem::TrainingSupport{.line = {Vec3(0), Vec3(0, 1.8F, 0)}});
+  add(ShootChoice::leader(), meristem::LayersOperation{});
+  add(condition("rank == 1"), meristem::LimitOperation{12});
+  add(condition("rank >= 2"), meristem::SpurOperation{2});
   double best = 1e9;
   Skeleton skeleton;
   for (auto _ : state) {

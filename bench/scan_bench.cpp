@@ -23,6 +23,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/scan/scan.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace {
@@ -41,9 +42,9 @@ GrownDocument grown_model(const std::string& model) {
 }
 
 /// A camera whose picture the plant fills, with the beams of a terrestrial scanner: all pulses look at the plant.
-Instrument close_scanner(int columns, int rows) {
-  Instrument scanner = instrument_of(ScannerClass::depth_camera);
-  const Instrument beam = instrument_of(ScannerClass::terrestrial);
+ScanInstrument close_scanner(int columns, int rows) {
+  ScanInstrument scanner = instrument_of(ScannerClass::depth_camera);
+  const ScanInstrument beam = instrument_of(ScannerClass::terrestrial);
   scanner.columns = columns;
   scanner.rows = rows;
   scanner.field = radians(20);
@@ -126,7 +127,7 @@ void labels(benchmark::State& state) {
   const GrownDocument grown = grown_model("low-poly-oak");
   Progress progress;
   const Box box = grown.meshes.bounds();
-  Instrument scanner = close_scanner(sized(620, 20), sized(620, 20));
+  ScanInstrument scanner = close_scanner(sized(620, 20), sized(620, 20));
   scanner.rays = 1;
   scanner.noise = 0;
   scanner.field = radians(40);
@@ -167,8 +168,8 @@ void add_organ(Plant& plant, Mesh mesh, Vec3 position) {
   plant.organs.push_back({.frame = {.origin = position}, .prototype = prototype});
 }
 
-Instrument ray_camera(double field_deg, int columns, int rows) {
-  Instrument camera = close_scanner(columns, rows);
+ScanInstrument ray_camera(double field_deg, int columns, int rows) {
+  ScanInstrument camera = close_scanner(columns, rows);
   camera.field = radians(field_deg);
   camera.rays = 1;
   camera.noise = camera.threshold = 0;
@@ -231,7 +232,7 @@ void footprint(benchmark::State& state) {
   const int columns = 140;
   const int rows = sized(2000, 50);
   const auto distance = static_cast<double>(state.range(0));
-  Instrument scanner = ray_camera(0.4 * 10 / distance * (0.007 + 0.00035 * distance) / 0.0105, columns, rows);
+  ScanInstrument scanner = ray_camera(0.4 * 10 / distance * (0.007 + 0.00035 * distance) / 0.0105, columns, rows);
   scanner.rays = 19;
   double error = 0;
   for (auto _ : state) {
@@ -273,7 +274,7 @@ void stand(benchmark::State& state) {
   const std::string models = std::string(MERISTEM_SOURCE_DIR) + "/models";
   const Document document =
       read_document(stand_of_oaks(state.range(0)), "stand.json", builtin_components(), {.models = models});
-  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  ScanInstrument scanner = instrument_of(ScannerClass::terrestrial);
   scanner.step = radians(sized(0.4, 8.0));
   Progress progress;
   for (auto _ : state) {

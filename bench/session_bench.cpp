@@ -22,17 +22,17 @@
 
 namespace {
 
-using meristem::Edit;
 using meristem::Progress;
 using meristem::RemoveValue;
 using meristem::Session;
+using meristem::SessionEdit;
 using meristem::SetValue;
 using meristem::bench::Asked;
 using meristem::bench::sized;
 
 const std::string kModels = std::string(MERISTEM_SOURCE_DIR) + "/models/";
 
-Session open(const std::string& model, const std::vector<Edit>& first = {}) {
+Session open(const std::string& model, const std::vector<SessionEdit>& first = {}) {
   const std::string file = kModels + model;
   Session session(meristem::read_text_file(file), file, meristem::builtin_components());
   if (!first.empty()) session.edit(first);
@@ -65,7 +65,7 @@ class Values {
   int step_ = 0;
 };
 
-void edit(benchmark::State& state, const std::string& model, const std::vector<Edit>& first, const char* path,
+void edit(benchmark::State& state, const std::string& model, const std::vector<SessionEdit>& first, const char* path,
           double value) {
   Session session = open(model, first);
   Progress progress;
@@ -96,7 +96,7 @@ void edit(benchmark::State& state, const std::string& model, const std::vector<E
 }
 
 /// One limb of the crown: about 200,000 triangles.
-const std::vector<Edit> kOneLimb = {SetValue{"trunk.count", 1}};
+const std::vector<SessionEdit> kOneLimb = {SetValue{"trunk.count", 1}};
 
 void maple_leaves(benchmark::State& state) { edit(state, "large-maple.json", kOneLimb, "leaf.curl", 25); }
 void maple_shoots(benchmark::State& state) { edit(state, "large-maple.json", kOneLimb, "shoot.radius", 0.0024); }

@@ -22,7 +22,7 @@ namespace {
 using meristem::Mesh;
 using meristem::NodeIndex;
 using meristem::Skeleton;
-using meristem::Surface;
+using meristem::SurfaceOptions;
 using meristem::Vec3;
 
 /// A crown of `axes` axes of ten nodes, each on a random node of an earlier one.
@@ -49,7 +49,7 @@ Skeleton random_crown(std::uint32_t axes) {
 
 /// The plain reference: each segment's ring is at right angles to the segment.
 Mesh plain_tubes(const Skeleton& skeleton, int sides) {
-  const meristem::Axes axes(skeleton);
+  const meristem::SkeletonAxes axes(skeleton);
   Mesh mesh;
   for (meristem::AxisIndex axis = 0; axis < axes.count(); ++axis) {
     const auto nodes = axes.of(axis);
@@ -89,7 +89,7 @@ double seconds_a_triangle(const Skeleton& skeleton, int sides) {
 
 void tubes(benchmark::State& state) {
   const Skeleton skeleton = random_crown(static_cast<std::uint32_t>(state.range(0) / 10));
-  const Surface surface{.sides = static_cast<int>(state.range(1))};
+  const SurfaceOptions surface{.sides = static_cast<int>(state.range(1))};
   const meristem::ThreadLimit limit(static_cast<int>(state.range(2)));
   double plain = 1e9;
   for (int i = 0; i < 3; ++i) plain = std::min(plain, seconds_a_triangle(skeleton, surface.sides));

@@ -24,12 +24,12 @@
 
 namespace {
 
+using meristem::CameraView;
 using meristem::Document;
 using meristem::GrownDocument;
 using meristem::Image;
 using meristem::Progress;
 using meristem::StillOptions;
-using meristem::View;
 using meristem::bench::sized;
 
 const int kWholePixels = sized(1000, 40);  // of the whole picture
@@ -73,7 +73,7 @@ class Sitter {
   Progress progress_;
   Document document_;
   GrownDocument grown_;
-  View view_;
+  CameraView view_;
 };
 
 template <class Call>

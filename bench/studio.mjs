@@ -11,31 +11,66 @@ import { appendFile, readFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
 import process from 'node:process';
-
-import { buffers_of, heap_of, memory_of } from './studio_measure.mjs';
 import { choose, open_file, point_at, row, slider } from '../tests/studio/page/hands.mjs';
-import { kSource, meristem, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
+import {
+  kSource,
+  meristem,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  write_document,
+} from '../tests/studio/page/support.mjs';
+import { buffers_of, heap_of, memory_of } from './studio_measure.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
 const kMoves = is_small ? 2 : 100;
 const kGardens = is_small ? ['bonsai'] : ['balcony', 'garden']; // shipped plants that are opened
 const kEdits = is_small ? 10 : 500;
-const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
+const kSapling = {
+  meristem: 1,
+  variables: { size: { value: 0.1, min: 0.05, max: 0.25 } },
+  components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } },
+  links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }],
+};
 
-const kPoints = { meristem: 1, components: { tree: { type: 'colonize', crown: { ellipsoid: { centre: [0, 3, 0], radii: [2, 2, 2] } }, points: 10000, step: 0.08, influence: 1, kill: 0.2 } } };
+const kPoints = {
+  meristem: 1,
+  components: {
+    tree: {
+      type: 'colonize',
+      crown: { ellipsoid: { centre: [0, 3, 0], radii: [2, 2, 2] } },
+      points: 10000,
+      step: 0.08,
+      influence: 1,
+      kill: 0.2,
+    },
+  },
+};
 
 const figures = [];
 const digits = (value) => String(Number(value.toPrecision(4)));
 
-/// A line of the table; `most` is its upper bound.
-function tell(name, value, unit, most, reference) {
-  const held = most === undefined ? '' : value <= most ? 'held' : 'NOT HELD';
+/// A line of the table; `max` is its upper bound.
+function tell(name, value, unit, max, reference) {
+  const held = max === undefined ? '' : value <= max ? 'held' : 'NOT HELD';
   const ratio = reference ? digits(value / reference.value) : '';
-  figures.push([`studio ${name}`, `${digits(value)} ${unit}`, reference?.name ?? '', ratio, most === undefined ? '' : `<= ${digits(most)}`, held]);
-  console.log(`${name.padEnd(40)} ${digits(value).padStart(10)} ${unit.padEnd(8)} ${most === undefined ? '' : `<= ${most}`.padEnd(12)} ${held}`);
+  figures.push([
+    `studio ${name}`,
+    `${digits(value)} ${unit}`,
+    reference?.name ?? '',
+    ratio,
+    max === undefined ? '' : `<= ${digits(max)}`,
+    held,
+  ]);
+  console.log(
+    `${name.padEnd(40)} ${digits(value).padStart(10)} ${unit.padEnd(8)} ${max === undefined ? '' : `<= ${max}`.padEnd(12)} ${held}`,
+  );
 }
 
-const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
+const quantile = (values, share) =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
 
 /// Watches inputs and frames from inside the page.
 function watch() {
@@ -46,7 +81,14 @@ function watch() {
   const { studio } = window;
   const found = { input: 0, shown: false, frames: [] };
   window.bench = found;
-  document.addEventListener('input', (event) => { found.input = event.timeStamp; found.shown = false; }, true);
+  document.addEventListener(
+    'input',
+    (event) => {
+      found.input = event.timeStamp;
+      found.shown = false;
+    },
+    true,
+  );
   studio.growth.subscribe(() => {
     const { shown } = studio.growth.get();
     if (shown !== found.last && found.input > 0) found.shown = true;
@@ -75,10 +117,13 @@ async function follow(page, target) {
   await page.mouse.down();
   // Every tenth frame is drawn twice to measure drawing. The next move meets a late server, so neither counts.
   for (let k = 0; k < kMoves * 1.25 + 2; k += 1) {
-    const count = await page.evaluate((again) => {
-      window.bench.draws_again = again;
-      return window.bench.frames.length;
-    }, k % 10 === 0);
+    const count = await page.evaluate(
+      (again) => {
+        window.bench.draws_again = again;
+        return window.bench.frames.length;
+      },
+      k % 10 === 0,
+    );
     await page.mouse.move(x + (0.3 * box.width * (1 + (k % 40))) / 40, y);
     await page.waitForFunction((known) => window.bench.frames.length > known, count, { timeout: 30000, polling: 4 });
   }
@@ -86,10 +131,21 @@ async function follow(page, target) {
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await settled(page);
-  const drawing = quantile(frames.filter((one) => one.own !== undefined).map((one) => one.own), 0.5);
-  const lags = frames.filter((_, k) => k % 10 > 1).slice(0, kMoves).map((one) => Math.max(0, one.lag - drawing));
+  const drawing = quantile(
+    frames.filter((one) => one.own !== undefined).map((one) => one.own),
+    0.5,
+  );
+  const lags = frames
+    .filter((_, k) => k % 10 > 1)
+    .slice(0, kMoves)
+    .map((one) => Math.max(0, one.lag - drawing));
   const drafts = frames.filter((one) => one.draft).length;
-  console.log(`  ${frames.length} frames, ${drafts} drafts, ${quantile(frames.map((one) => one.triangles), 0.5)} triangles; drawing one takes ${digits(drawing)} ms`);
+  console.log(
+    `  ${frames.length} frames, ${drafts} drafts, ${quantile(
+      frames.map((one) => one.triangles),
+      0.5,
+    )} triangles; drawing one takes ${digits(drawing)} ms`,
+  );
   return { median: quantile(lags, 0.5), late: quantile(lags, 0.95) };
 }
 
@@ -105,7 +161,8 @@ async function bytes_of(page, act) {
   return (await counts(page)).packet_bytes - before;
 }
 
-const set = (page, path, value) => page.evaluate(([one, given]) => window.studio.edit([{ set: one, value: given }], 'Set'), [path, value]);
+const set = (page, path, value) =>
+  page.evaluate(([one, given]) => window.studio.edit([{ set: one, value: given }], 'Set'), [path, value]);
 
 /// Loads the page from nothing: its size, and the time of its first picture.
 async function open_first(browser, address) {
@@ -115,8 +172,12 @@ async function open_first(browser, address) {
   await session.send('Network.enable');
   const names = new Map();
   const weights = new Map();
-  session.on('Network.responseReceived', ({ requestId, response }) => names.set(requestId, path.basename(new URL(response.url).pathname)));
-  session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => weights.set(names.get(requestId), encodedDataLength));
+  session.on('Network.responseReceived', ({ requestId, response }) =>
+    names.set(requestId, path.basename(new URL(response.url).pathname)),
+  );
+  session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) =>
+    weights.set(names.get(requestId), encodedDataLength),
+  );
   await page.addInitScript(() => {
     let studio;
     Object.defineProperty(window, 'studio', {
@@ -160,7 +221,11 @@ async function board_time(page, text) {
         const begin = performance.now();
         shell.merge({ left: 'board' });
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-        if (document.querySelectorAll('.board-node').length < Object.keys(window.studio.document.state.get().tree.value.components).length) throw new Error('the board is not whole');
+        if (
+          document.querySelectorAll('.board-node').length <
+          Object.keys(window.studio.document.state.get().tree.value.components).length
+        )
+          throw new Error('the board is not whole');
         return performance.now() - begin;
       }),
     );
@@ -173,50 +238,58 @@ async function board_time(page, text) {
 /// steps.
 async function scrub_time(page) {
   await page.keyboard.press('s');
-  await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null, null, { timeout: 60000 });
+  await page.waitForFunction(() => window.studio.bench.growth_look.state.get().steps !== null, null, {
+    timeout: 60000,
+  });
   await settled(page);
-  const times = await page.evaluate(async (count) => {
-    const { studio } = window;
-    const { steps } = studio.bench.growth_look.state.get();
-    const taken = [];
-    for (let k = 0; k < count; k += 1) {
-      const step = Math.round(steps * (0.5 + 0.45 * Math.sin(2.4 * k)));
-      const begin = performance.now();
-      studio.bench.growth_look.show_step(step);
-      await new Promise((done) => {
-        const stop = studio.growth.subscribe(() => {
-          const { grown, shown } = studio.growth.get();
-          if (grown.step !== step || shown === studio.bench.last_shown) return;
-          studio.bench.last_shown = shown;
-          stop();
-          done();
+  const times = await page.evaluate(
+    async (count) => {
+      const { studio } = window;
+      const { steps } = studio.bench.growth_look.state.get();
+      const taken = [];
+      for (let k = 0; k < count; k += 1) {
+        const step = Math.round(steps * (0.5 + 0.45 * Math.sin(2.4 * k)));
+        const begin = performance.now();
+        studio.bench.growth_look.show_step(step);
+        await new Promise((done) => {
+          const stop = studio.growth.subscribe(() => {
+            const { grown, shown } = studio.growth.get();
+            if (grown.step !== step || shown === studio.bench.last_shown) return;
+            studio.bench.last_shown = shown;
+            stop();
+            done();
+          });
         });
-      });
-      taken.push(performance.now() - begin);
-      await studio.view.drawn();
-      await new Promise((done) => setTimeout(done, 100));
-    }
-    return taken;
-  }, is_small ? 3 : 30);
+        taken.push(performance.now() - begin);
+        await studio.view.drawn();
+        await new Promise((done) => setTimeout(done, 100));
+      }
+      return taken;
+    },
+    is_small ? 3 : 30,
+  );
   return quantile(times, 0.5);
 }
 
 /// Returns the median milliseconds from the request for an overlay to its points in the view.
 async function overlay_time(page) {
-  const times = await page.evaluate(async (count) => {
-    const { studio } = window;
-    const { growth_look: growth } = studio.bench;
-    const taken = [];
-    for (let k = 0; k < count; k += 1) {
-      const begin = performance.now();
-      growth.switch_part('points');
-      while (studio.view.counts.overlays.points === 0) await new Promise((done) => setTimeout(done));
-      taken.push(performance.now() - begin);
-      growth.switch_part('points');
-      await new Promise((done) => setTimeout(done, 50));
-    }
-    return taken;
-  }, is_small ? 3 : 30);
+  const times = await page.evaluate(
+    async (count) => {
+      const { studio } = window;
+      const { growth_look: growth } = studio.bench;
+      const taken = [];
+      for (let k = 0; k < count; k += 1) {
+        const begin = performance.now();
+        growth.switch_part('points');
+        while (studio.view.counts.overlays.points === 0) await new Promise((done) => setTimeout(done));
+        taken.push(performance.now() - begin);
+        growth.switch_part('points');
+        await new Promise((done) => setTimeout(done, 50));
+      }
+      return taken;
+    },
+    is_small ? 3 : 30,
+  );
   return quantile(times, 0.5);
 }
 
@@ -226,9 +299,13 @@ async function pick_times(page) {
   await page.evaluate(() => {
     const { studio } = window;
     window.picks = [];
-    document.querySelector('.view canvas').addEventListener('pointerup', (event) => {
-      window.picks.push({ begin: event.timeStamp, chosen: 0, known: 0 });
-    }, true);
+    document.querySelector('.view canvas').addEventListener(
+      'pointerup',
+      (event) => {
+        window.picks.push({ begin: event.timeStamp, chosen: 0, known: 0 });
+      },
+      true,
+    );
     studio.chosen.subscribe(() => {
       const last = window.picks.at(-1);
       if (last && last.chosen === 0 && studio.chosen.get() !== '') last.chosen = performance.now() - last.begin;
@@ -242,14 +319,26 @@ async function pick_times(page) {
   for (let k = 0; k < (is_small ? 3 : 40); k += 1) {
     await page.evaluate(() => window.studio.choose(''));
     await page.evaluate(() => window.studio.view.drawn());
-    await page.mouse.click(box.x + box.width * (0.42 + 0.16 * ((k * 0.618) % 1)), box.y + box.height * (0.3 + 0.3 * ((k * 0.414) % 1)));
+    await page.mouse.click(
+      box.x + box.width * (0.42 + 0.16 * ((k * 0.618) % 1)),
+      box.y + box.height * (0.3 + 0.3 * ((k * 0.414) % 1)),
+    );
     await page.waitForFunction((count) => window.picks.length > count, k, { timeout: 10_000 });
     await page.waitForFunction(() => window.picks.at(-1).known > 0, null, { timeout: 2000 }).catch(() => undefined);
   }
   const picks = (await page.evaluate(() => window.picks)).filter((one) => one.chosen > 0);
   if (picks.length === 0) throw new Error('no click met the plant');
   console.log(`  ${picks.length} clicks met the plant`);
-  return { chosen: quantile(picks.map((one) => one.chosen), 0.5), known: quantile(picks.filter((one) => one.known > 0).map((one) => one.known), 0.5) };
+  return {
+    chosen: quantile(
+      picks.map((one) => one.chosen),
+      0.5,
+    ),
+    known: quantile(
+      picks.filter((one) => one.known > 0).map((one) => one.known),
+      0.5,
+    ),
+  };
 }
 
 /// Returns the milliseconds from the request for a strip to its five plants: the first, and the median with a warm
@@ -331,9 +420,9 @@ try {
 
   const row_slider = (component, key) => row(page, `components.${component}.${key}`).getByRole('slider').first();
   await open_file(page, 'sapling.json');
-  const least = await follow(page, slider(page, 'size'));
-  tell('follow/sapling', least.median, 'ms');
-  const reference = { name: 'sapling', value: least.median };
+  const sapling = await follow(page, slider(page, 'size'));
+  tell('follow/sapling', sapling.median, 'ms');
+  const reference = { name: 'sapling', value: sapling.median };
   const plants = [
     ['oak_leaf', 'oak.json', 'leaf', () => row_slider('leaf', 'fold')],
     ['maple_limb', 'limb.json', 'shoot', () => row_slider('shoot', 'radius')],
@@ -415,4 +504,5 @@ try {
   await browser.close();
   await place.remove();
 }
-if (process.env.MERISTEM_BENCH_TABLE && !is_small) await appendFile(process.env.MERISTEM_BENCH_TABLE, figures.map((one) => `${one.join('\t')}\n`).join(''));
+if (process.env.MERISTEM_BENCH_TABLE && !is_small)
+  await appendFile(process.env.MERISTEM_BENCH_TABLE, figures.map((one) => `${one.join('\t')}\n`).join(''));

@@ -26,19 +26,28 @@ export async function snapshot_of(session) {
 /// Returns the memory of the page's script in such a text, MB. Excludes compiled code, which grows with use, and the
 /// copies of loaded files that the browser's tools keep.
 export function objects_in(snapshot) {
-  const { nodes, strings, snapshot: { meta } } = JSON.parse(snapshot);
+  const {
+    nodes,
+    strings,
+    snapshot: { meta },
+  } = JSON.parse(snapshot);
   const [type, name, size] = ['type', 'name', 'self_size'].map((field) => meta.node_fields.indexOf(field));
   const kinds = meta.node_types[type];
   let sum = 0;
   for (let k = 0; k < nodes.length; k += meta.node_fields.length) {
-    if (kinds[nodes[k + type]] !== 'code' && !/NetworkResourcesData|Performance\w*Timing/.test(strings[nodes[k + name]])) sum += nodes[k + size];
+    if (
+      kinds[nodes[k + type]] !== 'code' &&
+      !/NetworkResourcesData|Performance\w*Timing/.test(strings[nodes[k + name]])
+    )
+      sum += nodes[k + size];
   }
   return sum / 1e6;
 }
 
 /// Returns the view's objects on the card: buffers, textures, and their purposes.
-export const buffers_of = (page) => page.evaluate(async () => {
-  for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-  const { geometries, textures, meshes, instance_sets, batches } = window.studio.view.counts;
-  return geometries + textures + meshes + instance_sets + batches;
-});
+export const buffers_of = (page) =>
+  page.evaluate(async () => {
+    for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+    const { geometries, textures, meshes, instance_sets, batches } = window.studio.view.counts;
+    return geometries + textures + meshes + instance_sets + batches;
+  });

@@ -2,7 +2,7 @@
 // Uses the studio with random actions for a long time: node bench/studio_soak.mjs [MINUTES] [SEED]
 //
 // A headless browser shows the page of a real server. First comes a tour (studio_tour.mjs), which sends each request of
-// the protocol at least once. Then random actions follow (studio_deeds.mjs). The run fails in these cases:
+// the protocol at least once. Then random actions follow (studio_actions.mjs). The run fails in these cases:
 // - The page reports an error, or does not come to rest. The server ends, or a sanitizer reports a fault.
 // - A request of the protocol was never sent.
 // - A saved file does not hold the page's text, or the page shows another text than the file that it opened.
@@ -22,27 +22,41 @@
 // MERISTEM_SOAK_TELLS=1 prints each action. MERISTEM_SOAK_SNAPSHOTS: a folder for the page's heap at the first and at
 // the last measurement, which the browser's tools can compare. MERISTEM_BENCH=small: the tour and a few actions,
 // without measurements. MERISTEM_BENCH_TABLE: a file for the lines of the table.
-import { appendFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
+
 import { existsSync } from 'node:fs';
+import { appendFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
 import process from 'node:process';
-
-import { buffers_of, heap_of, memory_of, objects_in, snapshot_of } from './studio_measure.mjs';
-import { Chance, kDeeds, kModels, kRestFile, next_deed } from './studio_deeds.mjs';
-import { kTour, prepare_tour, protocol_requests } from './studio_tour.mjs';
 import { leave_fields, open_file, open_model, undo_all } from '../tests/studio/page/hands.mjs';
-import { kSource, open_page, patient, settled, start_browser, start_server, temporary_folder, text_of, write_document } from '../tests/studio/page/support.mjs';
+import {
+  kSource,
+  open_page,
+  patient,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  write_document,
+} from '../tests/studio/page/support.mjs';
+import { Chance, kActions, kModels, kRestFile, next_action } from './studio_actions.mjs';
+import { buffers_of, heap_of, memory_of, objects_in, snapshot_of } from './studio_measure.mjs';
+import { kTour, prepare_tour, protocol_requests } from './studio_tour.mjs';
 
 const is_small = process.env.MERISTEM_BENCH === 'small';
 const is_measured = !is_small && !process.env.MERISTEM_SOAK_SANITIZED;
 const minutes = Number(process.argv[2] ?? process.env.MERISTEM_SOAK_MINUTES ?? 3);
 const seed = Number(process.argv[3] ?? process.env.MERISTEM_SOAK_SEED ?? 1);
-const kSmall = { meristem: 1, components: { stem: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 0.1, width: 0.05 } }, links: [{ from: 'stem', to: 'leaf', kind: 'branch', count: 8 }] };
-const kSmallDeeds = 6; // that are done at least, after the tour
-const kMostFaults = 10;
+const kSmall = {
+  meristem: 1,
+  components: { stem: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 0.1, width: 0.05 } },
+  links: [{ from: 'stem', to: 'leaf', kind: 'branch', count: 8 }],
+};
+const kSmallActions = 6; // that are done at least, after the tour
+const kMaxFaults = 10;
 const kFlat = 10; // percent that memory may rise
-const kRests = 0.25; // share of deeds after which the page must come to rest
+const kRests = 0.25; // share of actions after which the page must come to rest
 const kToFirst = 0.05; // share after which all is undone
 const kReport = /AddressSanitizer|LeakSanitizer|UndefinedBehaviorSanitizer|runtime error:/;
 
@@ -57,7 +71,9 @@ const digits = (value) => String(Number(value.toPrecision(4)));
 
 function add_fault(what) {
   faults.push(what);
-  console.log(`FAULT ${faults.length} at ${((Date.now() - began) / 1000).toFixed(0)} s, seed ${seed}: ${what}\n  after ${last.slice(-12).join(', ')}`);
+  console.log(
+    `FAULT ${faults.length} at ${((Date.now() - began) / 1000).toFixed(0)} s, seed ${seed}: ${what}\n  after ${last.slice(-12).join(', ')}`,
+  );
 }
 
 /// Runs in the page before its own script. Draws the page's random numbers from the seed, counts requests by their names,
@@ -105,12 +121,18 @@ async function close_all(page) {
 /// A growth that a limit of the document refuses also counts as rest: the previous plant stays.
 async function rest(page) {
   await close_all(page);
-  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0, null, { timeout: patient(60_000) });
-  const is_refused = await page.evaluate(() => window.studio.growth.get().failed !== null);
-  if (!is_refused) await settled(page).catch(async (fault) => {
-    if ((await page.evaluate(() => window.studio.growth.get().failed)) === null) throw fault;
+  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0, null, {
+    timeout: patient(60_000),
   });
-  const { whole, restored } = await page.evaluate(() => ({ whole: window.requests.text ?? 0, restored: window.restored }));
+  const is_refused = await page.evaluate(() => window.studio.growth.get().failed !== null);
+  if (!is_refused)
+    await settled(page).catch(async (fault) => {
+      if ((await page.evaluate(() => window.studio.growth.get().failed)) === null) throw fault;
+    });
+  const { whole, restored } = await page.evaluate(() => ({
+    whole: window.requests.text ?? 0,
+    restored: window.restored,
+  }));
   if (whole > restored + rest.known) {
     add_fault('the server had another text than the page');
     rest.known = whole - restored;
@@ -119,13 +141,18 @@ async function rest(page) {
 rest.known = 0;
 
 /// Returns another text for each document, and for each opening of a document.
-const document_of = (page) => page.evaluate(() => `${window.studio.document.state.get().path} ${window.studio.document.state.get().model} ${window.requests.open}`);
+const document_of = (page) =>
+  page.evaluate(
+    () =>
+      `${window.studio.document.state.get().path} ${window.studio.document.state.get().model} ${window.requests.open}`,
+  );
 
 /// The text with which the document was opened, or with which unsaved work has begun.
-const first_text = (page) => page.evaluate(() => {
-  const { text, undo, hash, base } = window.studio.document.state.get();
-  return undo.done.length === 0 && hash === base ? text : null;
-});
+const first_text = (page) =>
+  page.evaluate(() => {
+    const { text, undo, hash, base } = window.studio.document.state.get();
+    return undo.done.length === 0 && hash === base ? text : null;
+  });
 
 async function undo_everything(page, first) {
   await leave_fields(page);
@@ -149,42 +176,58 @@ async function held(page, session, server) {
   await page.waitForTimeout(1000); // kept work is let go
   await settled(page);
   const heap = await heap_of(session);
-  const metrics = new Map((await session.send('Performance.getMetrics')).metrics.map(({ name, value }) => [name, value]));
+  const metrics = new Map(
+    (await session.send('Performance.getMetrics')).metrics.map(({ name, value }) => [name, value]),
+  );
   const snapshot = await snapshot_of(session);
   const folder = process.env.MERISTEM_SOAK_SNAPSHOTS;
   if (folder) await writeFile(path.join(folder, `${held.is_later ? 'last' : 'first'}.heapsnapshot`), snapshot);
   held.is_later = true;
-  return { heap, objects: objects_in(snapshot), buffers: await buffers_of(page), server: await memory_of(server.pid), nodes: metrics.get('Nodes'), listeners: metrics.get('JSEventListeners') };
+  return {
+    heap,
+    objects: objects_in(snapshot),
+    buffers: await buffers_of(page),
+    server: await memory_of(server.pid),
+    nodes: metrics.get('Nodes'),
+    listeners: metrics.get('JSEventListeners'),
+  };
 }
 
 /// Returns the increase from the minimum of the first third to the minimum of the last third, in percent.
 function rise(figures, key) {
   const third = Math.max(1, Math.floor(figures.length / 3));
-  const least = (some) => Math.min(...some.map((one) => one[key]));
-  const [from, to] = [least(figures.slice(0, third)), least(figures.slice(-third))];
+  const lowest = (some) => Math.min(...some.map((one) => one[key]));
+  const [from, to] = [lowest(figures.slice(0, third)), lowest(figures.slice(-third))];
   return (100 * (to - from)) / from;
 }
 
 held.is_later = false;
 
-async function do_deed(page, deed, opened, first) {
-  last.push(deed.name);
+async function do_action(page, action, opened, first) {
+  last.push(action.name);
   const began_at = Date.now();
   try {
-    const is_done = await deed(page, chance, files);
-    done.set(deed.name, (done.get(deed.name) ?? 0) + (is_done ? 1 : 0));
+    const is_done = await action(page, chance, files);
+    done.set(action.name, (done.get(action.name) ?? 0) + (is_done ? 1 : 0));
   } catch (fault) {
-    const why = `${deed.name}: ${String(fault.message).split('\n')[0].slice(0, 160)}`;
+    const why = `${action.name}: ${String(fault.message).split('\n')[0].slice(0, 160)}`;
     missed.set(why, (missed.get(why) ?? 0) + 1);
-    if (/does not settle/.test(fault.message) && (await page.evaluate(() => window.studio.growth.get().failed)) === null) add_fault(fault.message);
+    if (
+      /does not settle/.test(fault.message) &&
+      (await page.evaluate(() => window.studio.growth.get().failed)) === null
+    )
+      add_fault(fault.message);
     await page.mouse.up().catch(() => undefined);
   }
   await close_all(page);
   const [rests, undoes] = [chance.happens(kRests), chance.happens(kToFirst)];
   if (rests || undoes) await rest(page).catch((fault) => add_fault(String(fault.message)));
   // Another document may have been opened, whose first text is not known here.
-  if (undoes) await undo_everything(page, (await document_of(page)) === opened ? first : null).catch((fault) => add_fault(`undoing everything: ${fault.message}`));
-  if (process.env.MERISTEM_SOAK_TELLS) console.log(`  ${deed.name} ${Date.now() - began_at} ms`);
+  if (undoes)
+    await undo_everything(page, (await document_of(page)) === opened ? first : null).catch((fault) =>
+      add_fault(`undoing everything: ${fault.message}`),
+    );
+  if (process.env.MERISTEM_SOAK_TELLS) console.log(`  ${action.name} ${Date.now() - began_at} ms`);
 }
 
 /// The files in the server's folder, which actions save and open.
@@ -197,7 +240,8 @@ const files = {
     return (await readdir(files.folder)).filter((name) => name.endsWith('.json') && name !== kRestFile).sort();
   },
   async compare_opened(page, name) {
-    if ((await text_of(page)) !== (await files.read(name))) add_fault(`the page shows ${name} with another text than the file's`);
+    if ((await text_of(page)) !== (await files.read(name)))
+      add_fault(`the page shows ${name} with another text than the file's`);
   },
   /// Compares the texts saved since the last check with the files.
   async compare_saved(page) {
@@ -208,7 +252,10 @@ const files = {
     });
     for (const [name, text] of Object.entries(saved)) {
       const there = await files.read(name).catch(String);
-      if (there !== text) add_fault(`${name} was saved with another text than the page's: ${JSON.stringify(there.slice(0, 80))} in place of ${JSON.stringify(text.slice(0, 80))}`);
+      if (there !== text)
+        add_fault(
+          `${name} was saved with another text than the page's: ${JSON.stringify(there.slice(0, 80))} in place of ${JSON.stringify(text.slice(0, 80))}`,
+        );
       saves += 1;
     }
   },
@@ -224,7 +271,10 @@ try {
   await write_document(place.folder, kRestFile, JSON.stringify(kSmall));
   await write_document(place.folder, 'own.json', await readFile(path.join(kSource, 'models', 'oak.json'), 'utf8'));
   const server = await start_server(place.folder, is_measured ? 'own.json' : kRestFile);
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, permissions: ['clipboard-read', 'clipboard-write'] });
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 720 },
+    permissions: ['clipboard-read', 'clipboard-write'],
+  });
   await context.addInitScript(prepare, seed);
   const page = await open_page(context, server.address);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
@@ -234,7 +284,7 @@ try {
   await mkdir(folder, { recursive: true });
 
   let told = 0; // complaints of the page so far
-  let deeds = 0;
+  let actions = 0;
   let opened = '';
   let first = null;
   const look_for_faults = async () => {
@@ -242,7 +292,8 @@ try {
     if (!existsSync(`/proc/${server.pid}`)) throw new Error('the server has ended');
     const complaints = page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault));
     for (const fault of complaints.slice(told)) add_fault(`the page: ${fault}`);
-    if (complaints.length > told) await page.screenshot({ path: path.join(folder, `soak-fault-${faults.length}.png`) }).catch(() => undefined);
+    if (complaints.length > told)
+      await page.screenshot({ path: path.join(folder, `soak-fault-${faults.length}.png`) }).catch(() => undefined);
     told = complaints.length;
     await files.compare_saved(page);
   };
@@ -252,14 +303,15 @@ try {
   has_ended.catch(() => undefined); // where nothing waits for it
   /// Does something that ends with the server.
   const while_served = (act) => Promise.race([act(), has_ended]);
-  const do_one = (deed) => while_served(async () => {
-    const name = await document_of(page);
-    if (name !== opened) first = await first_text(page);
-    opened = name;
-    await do_deed(page, deed, opened, first);
-    deeds += 1;
-    await look_for_faults();
-  });
+  const do_one = (action) =>
+    while_served(async () => {
+      const name = await document_of(page);
+      if (name !== opened) first = await first_text(page);
+      opened = name;
+      await do_action(page, action, opened, first);
+      actions += 1;
+      await look_for_faults();
+    });
   const go_on_tour = async () => {
     for (const part of kTour) {
       last.push(part.name);
@@ -273,9 +325,14 @@ try {
     const sent = await page.evaluate(() => window.requests);
     const missing = (await protocol_requests()).filter((name) => !(name in sent));
     if (missing.length > 0) add_fault(`the tour never sends these requests of the protocol: ${missing.join(', ')}`);
-    console.log(`the tour took ${((Date.now() - began) / 1000).toFixed(0)} s and sent ${Object.keys(sent).length} kinds of requests`);
+    console.log(
+      `the tour took ${((Date.now() - began) / 1000).toFixed(0)} s and sent ${Object.keys(sent).length} kinds of requests`,
+    );
   };
-  const tell_held = (now) => console.log(`${((Date.now() - began) / 60_000).toFixed(1).padStart(6)} min  ${String(deeds).padStart(5)} deeds  page ${digits(now.objects)} MB of ${digits(now.heap)} with code, ${now.buffers} buffers, ${now.nodes} nodes, ${now.listeners} listeners; server ${digits(now.server)} MB`);
+  const tell_held = (now) =>
+    console.log(
+      `${((Date.now() - began) / 60_000).toFixed(1).padStart(6)} min  ${String(actions).padStart(5)} actions  page ${digits(now.objects)} MB of ${digits(now.heap)} with code, ${now.buffers} buffers, ${now.nodes} nodes, ${now.listeners} listeners; server ${digits(now.server)} MB`,
+    );
   const measure = async () => {
     const now = await held(page, session, server);
     opened = '';
@@ -288,12 +345,12 @@ try {
     if (is_measured) {
       for (const [k, model] of kModels.entries()) {
         await open_model(page, model);
-        for (let n = k; n < kDeeds.length; n += kModels.length) await do_one(kDeeds[n][1]);
+        for (let n = k; n < kActions.length; n += kModels.length) await do_one(kActions[n][1]);
       }
     }
     let next_minute = 0;
-    while ((deeds < kSmallDeeds || (!is_small && share() < 1)) && faults.length < kMostFaults) {
-      await do_one(next_deed(chance));
+    while ((actions < kSmallActions || (!is_small && share() < 1)) && faults.length < kMaxFaults) {
+      await do_one(next_action(chance));
       if (is_measured && share() >= 1 / 6 && Date.now() - began > next_minute * 60_000) {
         figures.push(await measure());
         next_minute = Math.floor((Date.now() - began) / 60_000) + 1;
@@ -310,15 +367,27 @@ try {
   console.log([...done].map(([name, count]) => `${name} ${count}`).join(', '));
   for (const [why, count] of missed) console.log(`  could not be done ${count} times: ${why}`);
   const lines = [['faults', faults.length, '', 0]];
-  if (figures.length > 1) lines.push(['page_more', rise(figures, 'objects'), '%', kFlat], ['page_with_code_more', rise(figures, 'heap'), '%'], ['buffers_more', figures.at(-1).buffers - figures[0].buffers, 'buffers', 0], ['server_more', rise(figures, 'server'), '%', kFlat]);
-  for (const [what, value, unit, most] of lines) {
-    const asked = most === undefined ? '' : `<= ${most}`;
-    const verdict = most === undefined ? '' : value <= most ? 'held' : 'NOT HELD';
+  if (figures.length > 1)
+    lines.push(
+      ['page_more', rise(figures, 'objects'), '%', kFlat],
+      ['page_with_code_more', rise(figures, 'heap'), '%'],
+      ['buffers_more', figures.at(-1).buffers - figures[0].buffers, 'buffers', 0],
+      ['server_more', rise(figures, 'server'), '%', kFlat],
+    );
+  for (const [what, value, unit, max] of lines) {
+    const asked = max === undefined ? '' : `<= ${max}`;
+    const verdict = max === undefined ? '' : value <= max ? 'held' : 'NOT HELD';
     console.log(`${`soak/${what}`.padEnd(24)} ${digits(value).padStart(8)} ${unit.padEnd(8)} ${asked}  ${verdict}`);
-    if (process.env.MERISTEM_BENCH_TABLE && !is_small) await appendFile(process.env.MERISTEM_BENCH_TABLE, `${[`studio soak:${minutes}min/${what}`, `${digits(value)} ${unit}`, '', '', asked, verdict].join('\t')}\n`);
+    if (process.env.MERISTEM_BENCH_TABLE && !is_small)
+      await appendFile(
+        process.env.MERISTEM_BENCH_TABLE,
+        `${[`studio soak:${minutes}min/${what}`, `${digits(value)} ${unit}`, '', '', asked, verdict].join('\t')}\n`,
+      );
   }
   if (faults.length > 0 && server.log() !== '') console.log(`what the server has written:\n${server.log()}`);
-  console.log(`${deeds} deeds and ${saves} saved files in ${((Date.now() - began) / 60_000).toFixed(1)} minutes, seed ${seed}; load ${load.toFixed(2)} before, ${os.loadavg()[0].toFixed(2)} after`);
+  console.log(
+    `${actions} actions and ${saves} saved files in ${((Date.now() - began) / 60_000).toFixed(1)} minutes, seed ${seed}; load ${load.toFixed(2)} before, ${os.loadavg()[0].toFixed(2)} after`,
+  );
   await context.close();
 } finally {
   await browser.close();

@@ -4,10 +4,20 @@
 import assert from 'node:assert/strict';
 import { copyFile, readFile } from 'node:fs/promises';
 import path from 'node:path';
-
-import { kFileNames, kPlantNames, name_the_plant } from './studio_deeds.mjs';
-import { choose_from_files, leave_fields, open_file, open_model, save_as, save_here, start_new, step, type_into, undo_all } from '../tests/studio/page/hands.mjs';
+import {
+  choose_from_files,
+  leave_fields,
+  open_file,
+  open_model,
+  save_as,
+  save_here,
+  start_new,
+  step,
+  type_into,
+  undo_all,
+} from '../tests/studio/page/hands.mjs';
 import { kSource, settled, text_of, write_document } from '../tests/studio/page/support.mjs';
+import { kFileNames, kPlantNames, name_the_plant } from './studio_actions.mjs';
 
 /// A small document in which each question of the page has an answer.
 const kTourDocument = `// Ein Garten für die Probe: 樹, 🌳.
@@ -38,15 +48,22 @@ export async function protocol_requests() {
   const text = await readFile(path.join(kSource, 'apps/studio/protocol.md'), 'utf8');
   const table = /^## Requests of the page\n([\s\S]*?)\n\n(?!\|)(?=[^|\n])/m.exec(text)?.[1] ?? '';
   const names = [...table.matchAll(/^\| `([a-z_]+)`/gm)].map((found) => found[1]).filter((name) => name !== 'do');
-  assert.ok(names.includes('open') && names.includes('sweep'), `the protocol's table of requests was not found: ${names}`);
+  assert.ok(
+    names.includes('open') && names.includes('sweep'),
+    `the protocol's table of requests was not found: ${names}`,
+  );
   return names;
 }
 
 /// Sends a request over the page's own connection, and returns the answer.
-const ask = (page, what, members = {}) => page.evaluate(async ([name, rest]) => {
-  const { arrays, ...answer } = await window.studio.connection.request(name, rest);
-  return answer;
-}, [what, members]);
+const ask = (page, what, members = {}) =>
+  page.evaluate(
+    async ([name, rest]) => {
+      const { arrays, ...answer } = await window.studio.connection.request(name, rest);
+      return answer;
+    },
+    [what, members],
+  );
 
 async function bytes_of(folder, name) {
   return readFile(path.join(folder, name), 'utf8');
@@ -169,14 +186,22 @@ async function cancels_a_picture(page) {
     const options = { width: 400, height: 400, samples: 4000 };
     const job = window.studio.connection.begin('export', { format: '.png', name: null, options });
     job.cancel();
-    return job.answer.then(() => null, (fault) => fault.facts ?? String(fault));
+    return job.answer.then(
+      () => null,
+      (fault) => fault.facts ?? String(fault),
+    );
   });
   assert.equal(refusal?.cancelled, true, JSON.stringify(refusal));
 }
 
 async function draws_small_pictures(page) {
   const camera = { position: [0, 1, 5], target: [0, 1, 0], field_of_view: 30 };
-  const { stills } = await ask(page, 'stills', { states: [{ tall: 0.4 }, { tall: 'nothing' }], width: 32, height: 32, camera });
+  const { stills } = await ask(page, 'stills', {
+    states: [{ tall: 0.4 }, { tall: 'nothing' }],
+    width: 32,
+    height: 32,
+    camera,
+  });
   assert.match(stills[0].picture, /^iVBORw0K/);
   assert.ok(stills[1].faults.length > 0);
   const { thumbnail } = await ask(page, 'picture', { file: 'bark.jpg', size: 32 });
@@ -186,11 +211,22 @@ async function draws_small_pictures(page) {
 async function asks_about_the_trees(page) {
   const { instance: first } = await ask(page, 'shoot', { component: 'pear' });
   assert.equal(first.shoot, 'main');
-  const { instance: child } = await ask(page, 'shoot', { component: 'pear', of: { stem: 0, tree: 0, shoot: 'main', metamer: 1 }, go: 'child' });
+  const { instance: child } = await ask(page, 'shoot', {
+    component: 'pear',
+    of: { stem: 0, tree: 0, shoot: 'main', metamer: 1 },
+    go: 'child',
+  });
   assert.match(child.shoot, /^main\./);
-  const { instance: seen } = await ask(page, 'instance', { component: 'pear', frame: kWhole, position: [2, 0.3, 0.01] });
+  const { instance: seen } = await ask(page, 'instance', {
+    component: 'pear',
+    frame: kWhole,
+    position: [2, 0.3, 0.01],
+  });
   assert.equal(seen.shoot, 'main');
-  const { operations } = await ask(page, 'operations', { component: 'pear', operation: 'components.pear.operations[0]' });
+  const { operations } = await ask(page, 'operations', {
+    component: 'pear',
+    operation: 'components.pear.operations[0]',
+  });
   assert.equal(operations.acts[0][2], 'cut');
   const { cloud } = await ask(page, 'cloud', { component: 'tree' });
   assert.equal(cloud.count, 60);
@@ -204,12 +240,17 @@ async function asks_about_the_others(page) {
   const { curves } = await ask(page, 'curves', { component: 'blade' });
   assert.equal(curves.midrib_points.length, 3);
   const { clocks } = await ask(page, 'clocks', { up_to: 4 });
-  assert.deepEqual(clocks.map((one) => one.component), ['clock']);
+  assert.deepEqual(
+    clocks.map((one) => one.component),
+    ['clock'],
+  );
   const { stand } = await ask(page, 'stand', { component: 'pear' });
   assert.equal(stand.length, 12);
   const box = 'scene.obstacles[0].box[1][1]';
   const { numbers } = await ask(page, 'worked_out', { expressions: { [box]: '2*tall' } });
-  const { value } = await page.evaluate(() => window.studio.document.state.get().variables.find((one) => one.name === 'tall'));
+  const { value } = await page.evaluate(() =>
+    window.studio.document.state.get().variables.find((one) => one.name === 'tall'),
+  );
   assert.ok(Math.abs(numbers[box] - 2 * value) < 1e-6, `${numbers[box]} is not twice ${value}`);
 }
 
@@ -231,9 +272,22 @@ async function measures_the_plant(page) {
 
 /// The parts of the tour, in order. Each part begins in the state in which the previous part ended.
 export const kTour = [
-  starts_saves_and_saves_again, saves_a_shipped_plant_and_saves_again, saves_over_another_file, reopens_what_was_saved, restores_unsaved_work,
-  drags_a_handle, loses_the_graphics_context, pauses_growth, continues_what_was_not_stopped, exports_the_text, cancels_a_picture, draws_small_pictures,
-  asks_about_the_trees, asks_about_the_others, takes_parts, measures_the_plant,
+  starts_saves_and_saves_again,
+  saves_a_shipped_plant_and_saves_again,
+  saves_over_another_file,
+  reopens_what_was_saved,
+  restores_unsaved_work,
+  drags_a_handle,
+  loses_the_graphics_context,
+  pauses_growth,
+  continues_what_was_not_stopped,
+  exports_the_text,
+  cancels_a_picture,
+  draws_small_pictures,
+  asks_about_the_trees,
+  asks_about_the_others,
+  takes_parts,
+  measures_the_plant,
 ];
 
 /// Puts the files of the tour into the folder of the server.

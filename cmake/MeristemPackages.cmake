@@ -33,7 +33,7 @@ documents of plants and gardens.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmeristem-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libglm-dev, libfmt-dev, libtbb-dev, libembree-dev, libpng-dev, libturbojpeg0-dev, libqhull-dev, libxxhash-dev, pkg-config")
+    "libglm-dev, libfmt-dev, libtbb-dev, libembree-dev, libjpeg62-turbo-dev, libpng-dev, libturbojpeg0-dev, libqhull-dev, libxxhash-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "grows plants from text documents - C++ library
 Headers, static libraries, the CMake package and the pkg-config file of the
 C++20 library, which does everything that the program meristem does.")

@@ -3,8 +3,8 @@
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/cut_leader.py -o out/cut-study
 
-Writes `cuts.csv` (one row per tree), `readings.csv`, `adaptations.csv`, `growth.csv`, `lambda.csv`, `expectations.csv`
-and the figures into a folder.
+Writes `cuts.csv` (one row per tree), `readings.csv`, `adaptations.csv`, `growth.csv`, `lambda.csv`, `trials.csv`,
+`expectations.csv` and the figures into a folder.
 Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 5.2.
 """
 
@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import fields
+from dataclasses import astuple, fields
 from pathlib import Path
 from typing import Mapping, Sequence
 
@@ -26,6 +26,7 @@ from cut_study.cuts import LATERALS, PUBLISHED, READINGS, CutTree, Reading, Summ
 from cut_study.expectations import check_adaptations, check_cuts, check_growth, check_lambda
 from cut_study.growth import LAMBDAS, SETS, Curve, Habit, follow_growth, vary_lambda
 from cut_study.trees import SLIM
+from cut_study.trials import Trial, study_trials
 
 SEEDS = 100
 QUICK_SEEDS = 20
@@ -129,6 +130,8 @@ def run_study(folder: Path, seeds: int) -> None:
     write_adaptations(folder / "adaptations.csv", effects)
     write_growth(folder / "growth.csv", curves)
     write_lambda(folder / "lambda.csv", habits)
+    trials = study_trials(range(seeds))
+    write_table(folder / "trials.csv", (field.name for field in fields(Trial)), (astuple(trial) for trial in trials))
     write_findings(folder / "expectations.csv", findings)
     draw_figures(folder, trees, effects, curves, habits)
     draw_trees(folder / "trees.png")

@@ -3,8 +3,8 @@
 
     PYTHONPATH=build/release/python /usr/bin/python3 studies/space_colonization_light.py -o out/light-study
 
-Writes `trees.csv` (one row per tree), `means.csv` (one row per treatment), `expectations.csv` and the figures into a
-folder.
+Writes `trees.csv` (one row per tree), `means.csv` (one row per treatment), `hours.csv` (one row per hour of a day in
+the open), `expectations.csv` and the figures into a folder.
 Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020,
 chapter 5.
 """
@@ -15,6 +15,7 @@ import argparse
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import astuple, fields
 from pathlib import Path
 from typing import Iterable, Sequence
 
@@ -24,6 +25,7 @@ need_modules("studies/space_colonization_light.py")
 
 from common.tables import positive_number, print_findings, write_findings, write_table
 from light_study.expectations import SHIFTS, check_expectations
+from light_study.hours import Hour, study_hours
 from light_study.trees import (
     MEASURES,
     Mean,
@@ -136,6 +138,8 @@ def run_study(folder: Path, quick: bool, threads: int) -> None:
     write_trees(folder / "trees.csv", trees)
     write_means(folder / "means.csv", means.values())
     write_findings(folder / "expectations.csv", findings)
+    hours = study_hours(range(clouds))
+    write_table(folder / "hours.csv", (field.name for field in fields(Hour)), (astuple(row) for row in hours))
     draw_figures(folder, trees, means)
     print_means(means.values())
     print(f"\nexpected of means over {CLOUDS} clouds; these are over {clouds}:")

@@ -93,9 +93,9 @@ DatasetPlan plan_of(const DatasetCommand& command) {
   if (command.plan != "-") require_within(command.root, command.plan);
   const bool is_begun = is_dataset(command.plan);
   const std::string file = is_begun ? folder_plan_path(command.plan) : command.plan;
-  std::error_code error;
+  std::error_code ignored;
   if (file != "-") require_within(command.root, file);
-  if (fs::is_directory(file, error)) throw no_dataset(file);
+  if (fs::is_directory(file, ignored)) throw no_dataset(file);
   if (is_begun && command.repair) {
     try {
       return read_dataset_plan(begun_plan_text(command.plan), file, components(),
@@ -110,7 +110,7 @@ DatasetPlan plan_of(const DatasetCommand& command) {
     }
   }
   // Throws with the nearest existing name
-  if (file != "-" && !fs::exists(file, error)) read_file(file, Limits().file_bytes);
+  if (file != "-" && !fs::exists(file, ignored)) read_file(file, SizeLimits().file_bytes);
   return read_dataset_plan(read_text_file(file), file, components(), {.models = models_folder(), .root = command.root});
 }
 

@@ -16,8 +16,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/document/document.h"
 #include "meristem/document/json.h"
+#include "meristem/export/output_files.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
-#include "meristem/output/output_files.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -130,7 +130,7 @@ void derive(const DeriveOptions& command) {
   const ThreadLimit threads = limited_threads(command.threads, command.quiet);
   TerminalProgress terminal(command.quiet);
   Progress& progress = terminal.progress();
-  const Limits limits;
+  const SizeLimits limits;
   const RandomKey key(command.seed);
   const Word word = command.drawn ? derive_drawn(grammar, steps, key, limits, progress)
                                   : meristem::derive(grammar, steps, key, limits, progress);

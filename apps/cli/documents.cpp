@@ -31,8 +31,8 @@ std::deque<Registry>& registries() {
   return all;
 }
 
-std::vector<Override> overrides_of(const DocumentOptions& options) {
-  std::vector<Override> overrides;
+std::vector<ValueOverride> overrides_of(const DocumentOptions& options) {
+  std::vector<ValueOverride> overrides;
   for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
   return overrides;
 }
@@ -128,8 +128,8 @@ Document open_document(const DocumentOptions& options, double time) {
   return document;
 }
 
-Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more) {
-  std::vector<Override> overrides = overrides_of(options);
+Document read_again(const Document& document, const DocumentOptions& options, std::vector<ValueOverride> more) {
+  std::vector<ValueOverride> overrides = overrides_of(options);
   overrides.insert(overrides.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   TerminalProgress terminal(options.quiet);
   return read_document(document.source.text, document.source.file, components(),
@@ -141,8 +141,8 @@ Document read_again(const Document& document, const DocumentOptions& options, st
 }
 
 Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun) {
-  std::vector<Override> overrides = overrides_of(options);
-  std::erase_if(overrides, [](const Override& override) { return override.path.starts_with("scene.sun"); });
+  std::vector<ValueOverride> overrides = overrides_of(options);
+  std::erase_if(overrides, [](const ValueOverride& override) { return override.path.starts_with("scene.sun"); });
   overrides.push_back(parse_override("scene.sun=" + sun));
   overrides.back().name = kSun;
   Document other = read_document(document.source.text, document.source.file, components(),

@@ -54,7 +54,7 @@ Document open_document(const DocumentOptions& options, double time = 0);
 
 /// Reads a document again that was opened with these options. Values in `more` replace the values of equal paths.
 /// Prints nothing.
-Document read_again(const Document& document, const DocumentOptions& options, std::vector<Override> more);
+Document read_again(const Document& document, const DocumentOptions& options, std::vector<ValueOverride> more);
 
 /// Returns the scene of a document that was opened with these options, with another sun. `sun` is the JSON of a
 /// "scene.sun". Prints warnings about the scene unless quiet.

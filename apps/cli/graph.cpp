@@ -7,9 +7,9 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/base/atomic_file.h"
+#include "meristem/export/graph/graph_drawing.h"
+#include "meristem/export/output_files.h"
 #include "meristem/graph/instances.h"
-#include "meristem/output/graph/graph_drawing.h"
-#include "meristem/output/output_files.h"
 #include "terminal.h"
 
 namespace meristem::cli {

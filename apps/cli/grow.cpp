@@ -15,11 +15,11 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/document/grow_moving.h"
+#include "meristem/export/detail_levels.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/moving_file.h"
+#include "meristem/export/output_files.h"
 #include "meristem/measure/counts.h"
-#include "meristem/output/detail_levels.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/moving_file.h"
-#include "meristem/output/output_files.h"
 #include "meristem/output/picture/cards.h"
 #include "terminal.h"
 
@@ -31,14 +31,16 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
-  std::optional<int> step;   // step of growth that is shown
-  std::optional<int> lod;    // number of coarser levels of detail
-  std::optional<int> cards;  // number of upright cards of a last level
-  bool instanced = false;    // true: leaves are written as rows of arrays
-  bool nodes = false;        // never, but nodes where there are many
-  bool obstacles = false;    // true: files with meshes contain the obstacles
-  bool animated = false;     // true: the whole animation is written
-  std::optional<int> keys;   // number of times of the animation
+  std::optional<int> step;        // step of growth that is shown
+  std::optional<int> lod;         // number of coarser levels of detail
+  std::optional<int> cards;       // number of upright cards of a last level
+  bool instanced = false;         // true: leaves are written as rows of arrays
+  bool nodes = false;             // never, but nodes where there are many
+  bool obstacles = false;         // true: files with meshes contain the obstacles
+  bool shared = false;            // true: faces of .ply share vertices, without normals
+  std::vector<std::string> only;  // objects that files with meshes contain; empty: all
+  bool animated = false;          // true: the whole animation is written
+  std::optional<int> keys;        // number of times of the animation
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -48,7 +50,7 @@ struct GrowOptions {
 
 /// A file to write.
 struct PlannedFile {
-  const Format* format;
+  const FileFormat* format;
   std::string path;
 };
 
@@ -57,8 +59,8 @@ InputError wrong_lod(std::string message, std::string expected) {
 }
 
 /// Throws InputError for an option that would change none of the files.
-void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  const auto has_meshes = [](const Format* format) { return format->has_meshes(); };
+void check_options(const GrowOptions& options, const std::vector<const FileFormat*>& formats) {
+  const auto has_meshes = [](const FileFormat* format) { return format->has_meshes(); };
   if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
     throw wrong_lod(fmt::format("--lod cannot be {}", *options.lod), fmt::format("0 to {} levels", kCoarsestDetail));
   }
@@ -70,7 +72,7 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
       throw wrong_lod("--lod changes none of the files", "a file that ends in .glb, .obj or .ply");
     }
   }
-  const auto has_textures = [](const Format* format) { return format->has_textures(); };
+  const auto has_textures = [](const FileFormat* format) { return format->has_textures(); };
   if (options.cards && (*options.cards < 0 || *options.cards > kMaxCards)) {
     throw wrong_lod(fmt::format("--cards cannot be {}", *options.cards), fmt::format("0 to {} cards", kMaxCards));
   }
@@ -86,7 +88,16 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     throw InputError(Diagnostic{.message = "--obstacles changes none of the files",
                                 .expected = "a file that ends in .glb, .obj or .ply"});
   }
-  const auto can_instance = [](const Format* format) { return format->can_instance; };
+  if (!options.only.empty() && std::none_of(formats.begin(), formats.end(), has_meshes)) {
+    throw InputError(Diagnostic{.message = "--only changes none of the files",
+                                .expected = "a file that ends in .glb, .obj or .ply"});
+  }
+  const auto is_ply = [](const FileFormat* format) { return format->ending == ".ply"; };
+  if (options.shared && std::none_of(formats.begin(), formats.end(), is_ply)) {
+    throw InputError(
+        Diagnostic{.message = "--shared-vertices changes none of the files", .expected = "a file that ends in .ply"});
+  }
+  const auto can_instance = [](const FileFormat* format) { return format->can_instance; };
   if (options.instances() == GltfInstances::automatic) return;
   if (std::any_of(formats.begin(), formats.end(), can_instance)) return;
   throw InputError(
@@ -112,6 +123,8 @@ void check_animated(const GrowOptions& options, bool has_time) {
   if (options.instanced) throw cannot_animate("--instanced");
   if (options.nodes) throw cannot_animate("--nodes");
   if (options.obstacles) throw cannot_animate("--obstacles");
+  if (options.shared) throw cannot_animate("--shared-vertices");
+  if (!options.only.empty()) throw cannot_animate("--only");
   for (const std::string& output : options.outputs) check_moving_file(output);
   const int max = static_cast<int>(kMaxKeys);
   if (options.keys && (*options.keys < 2 || *options.keys > max)) {
@@ -144,7 +157,7 @@ void grow_animated(const GrowOptions& options) {
 
 /// Returns the files of each level of detail. The first level has the requested files.
 std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
-                                                    const std::vector<const Format*>& formats, int lod) {
+                                                    const std::vector<const FileFormat*>& formats, int lod) {
   std::vector<std::vector<PlannedFile>> levels(static_cast<std::size_t>(lod) + 1);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
@@ -162,7 +175,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
 }
 
 /// Returns the files of a last level of crossed cards.
-std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const Format*>& formats) {
+std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const FileFormat*>& formats) {
   std::vector<PlannedFile> files;
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
@@ -211,7 +224,7 @@ std::vector<std::string> write_coarser(const Document& document, GrownDocument& 
 }
 
 std::string sizes_of(const GrownDocument& grown) {
-  const Counts counts = count(grown.plant, grown.meshes);
+  const PlantCounts counts = count(grown.plant, grown.meshes);
   std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
   if (grown.traces.step) {
     text = fmt::format("step {} of {}, {}", grown.traces.shown_step(), grown.traces.last_step, text);
@@ -222,7 +235,7 @@ std::string sizes_of(const GrownDocument& grown) {
 
 void grow(const GrowOptions& options, bool has_time) {
   // All faults of the command line and of the document are reported before any work.
-  std::vector<const Format*> formats;
+  std::vector<const FileFormat*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = film::checked_time(options.time);
   check_animated(options, has_time);
@@ -249,7 +262,11 @@ void grow(const GrowOptions& options, bool has_time) {
     warnings = grown.warnings;
     EncodedPictures pictures;
     FileSet files;
-    const FormatOptions format{.instances = options.instances(), .pictures = &pictures, .obstacles = options.obstacles};
+    const FormatOptions format{.instances = options.instances(),
+                               .pictures = &pictures,
+                               .obstacles = options.obstacles,
+                               .shared_vertices = options.shared,
+                               .only = options.only};
     const std::string written = write_level(document, grown, levels[0], format, progress);
     summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
     const std::vector<std::string> coarser = write_coarser(document, grown, levels, format, progress);
@@ -305,6 +322,14 @@ void add_grow(CLI::App& app, Run& run) {
       ->excludes(instanced);
   command->add_flag("--obstacles", options->obstacles,
                     "Also write the scene's visible obstacles into .glb, .obj and .ply");
+  command
+      ->add_option("--only", options->only,
+                   "Write only these objects into .glb, .obj and .ply: ids of components, and the id with _crown for a "
+                   "crown body, such as tree or tree_crown")
+      ->type_name("OBJECT");
+  command->add_flag("--shared-vertices", options->shared,
+                    "Leave normals and texture coordinates out of .ply, so that the faces of a mesh share vertices, as "
+                    "programs for 3D printing want them");
   command->footer(endings_of(formats()) +
                   "Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
   command->callback(

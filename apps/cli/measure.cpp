@@ -16,10 +16,10 @@
 #include "meristem/base/read_file.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
+#include "meristem/export/measure_report.h"
+#include "meristem/export/output_files.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/measure_report.h"
-#include "meristem/output/output_files.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/write/names.h"
 #include "meristem/plant/file/node_table.h"
@@ -144,7 +144,7 @@ StandMeasures measure_document(const MeasureCommand& command) {
     // Holes of textures are no part of a leaf, and light passes through them.
     if (has_holes(grown.plant)) paint_plant(document, grown.plant, progress);
     warnings = grown.warnings;
-    const Limits& limits = document.graph.limits;
+    const SizeLimits& limits = document.graph.limits;
     if (options.organ_light) {
       const MeshScene meshes = mesh_for_rays(document, grown.plant, progress);
       stand = measure_plant(grown.plant, limits, meshes, scene, options, progress);
@@ -170,7 +170,7 @@ std::array<std::string, 3> three_names(const std::string& text) {
   return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
 }
 
-MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const Limits& limits) {
+MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const SizeLimits& limits) {
   MtgGeometry geometry{.diameter = command.diameter};
   if (!command.coordinates.empty()) geometry.position = three_names(command.coordinates);
   if (!command.unit.empty()) geometry.length_unit = units().at(command.unit);
@@ -181,7 +181,7 @@ MtgSkeleton read_mtg_skeleton(const MeasureCommand& command, const Limits& limit
 }
 
 /// Moves the first root to the origin, because map coordinates are too large for floats.
-MtgSkeleton read_table_skeleton(const MeasureCommand& command, const Limits& limits) {
+MtgSkeleton read_table_skeleton(const MeasureCommand& command, const SizeLimits& limits) {
   const double unit = command.unit.empty() ? 1 : units().at(command.unit);
   const double diameter_unit = command.diameter_unit.empty() ? unit : units().at(command.diameter_unit);
   const std::string& path = command.document.path;
@@ -194,7 +194,7 @@ MtgSkeleton read_table_skeleton(const MeasureCommand& command, const Limits& lim
 }
 
 StandMeasures measure_skeleton(const MeasureCommand& command) {
-  const Limits limits;
+  const SizeLimits limits;
   const std::string& path = command.document.path;
   const MtgSkeleton read =
       command.reads_mtg() ? read_mtg_skeleton(command, limits) : read_table_skeleton(command, limits);

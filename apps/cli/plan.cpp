@@ -19,8 +19,8 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/output_files.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/output_files.h"
 #include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/plant/plant_variant.h"
 #include "terminal.h"
@@ -53,8 +53,8 @@ std::string told(const OperationRecord& record) {
 
 void plan(const PlanOptions& options) {
   const auto format_at = [](const std::string& path) { return path.empty() ? nullptr : &format_of(path); };
-  const Format* const before = format_at(options.before);
-  const Format* const after = format_at(options.after);
+  const FileFormat* const before = format_at(options.before);
+  const FileFormat* const after = format_at(options.after);
   PlanRules rules{{}, kRule};
   for (const std::string& rule : options.rules) rules.operations.push_back(parse_json_of(rule, kRule));
   const Document asked = open_document(options.document);
@@ -73,10 +73,10 @@ void plan(const PlanOptions& options) {
     GrowthCache cache;
     // One growth is shown before and after its plan. Both files' records are made in it.
     TraceRequest request = after != nullptr ? TraceRequest{TracePart::outcome} : TraceRequest{};
-    for (const Format* format : {before, after})
+    for (const FileFormat* format : {before, after})
       request = request | (format != nullptr ? format->request : TraceRequest{});
-    const auto grow = [&](const Format* const& format, bool outcome) {
-      const std::span<const Format* const> formats(&format, format != nullptr ? 1 : 0);
+    const auto grow = [&](const FileFormat* const& format, bool outcome) {
+      const std::span<const FileFormat* const> formats(&format, format != nullptr ? 1 : 0);
       return grow_document(planned, progress,
                            {.up_to = needed_part(formats), .cache = &cache, .view = {{}, request, outcome}});
     };

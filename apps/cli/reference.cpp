@@ -12,8 +12,8 @@
 #include "meristem/base/markdown.h"
 #include "meristem/document/json.h"
 #include "meristem/document/tables.h"
+#include "meristem/export/scan/scan_request.h"
 #include "meristem/graph/link.h"
-#include "meristem/output/scan/scan_request.h"
 
 namespace meristem::cli {
 

@@ -23,15 +23,16 @@
 #include "meristem/base/version.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
-#include "meristem/output/output_files.h"
-#include "meristem/output/overlay/overlay.h"
+#include "meristem/export/output_files.h"
+#include "meristem/export/overlay/overlay.h"
+#include "meristem/export/picture/picture.h"
+#include "meristem/export/picture/picture_fingerprint.h"
+#include "meristem/export/picture/truth.h"
+#include "meristem/export/picture/truth_files.h"
+#include "meristem/output/mesh/chosen_objects.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/free_side.h"
-#include "meristem/output/picture/picture.h"
-#include "meristem/output/picture/picture_fingerprint.h"
-#include "meristem/output/picture/truth.h"
-#include "meristem/output/picture/truth_files.h"
 #include "meristem/output/write/picture_file.h"
 #include "terminal.h"
 
@@ -52,10 +53,11 @@ struct RenderOptions {
   bool no_plant = false;         // true: only overlays and obstacles are drawn
   bool transparent = false;
   bool hull = false;
-  bool fingerprint = false;  // true: prints a fingerprint of the picture instead of drawing it
+  std::vector<std::string> only;  // objects that are drawn; empty: all
+  bool fingerprint = false;       // true: prints a fingerprint of the picture instead of drawing it
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
-  Detail detail;
+  MeshDetail detail;
   std::optional<int> cards;  // number of copies that the plant is shown as
   // File of each kind of truth; may be empty
   std::vector<std::string> truths = std::vector<std::string>(truth_formats().size());
@@ -163,8 +165,8 @@ StillOptions chosen_still(const RenderOptions& options, const OutputParameters& 
   return still;
 }
 
-View chosen_view(const RenderOptions& options, const Document& document) {
-  View view = camera_view(document.graph);
+CameraView chosen_view(const RenderOptions& options, const Document& document) {
+  CameraView view = camera_view(document.graph);
   if (options.view.empty()) return view;
   const auto [azimuth, altitude] =
       number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
@@ -208,7 +210,7 @@ class PictureTaker {
     const MeshScene last = moves && document_.at_time ? grown_.meshes : MeshScene();
     options_.view = from_free_side(grown_.meshes, options_.view);
     if (moves) options_.view = placed_view(grown_.meshes, options_.view, aspect());
-    const View view = options_.view;
+    const CameraView view = options_.view;
     std::size_t found = 0;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
       const Picture& picture = pictures[k];
@@ -238,7 +240,7 @@ class PictureTaker {
   const Document& now() const { return other_ ? *other_ : document_; }
 
   Image take(bool is_last) {
-    const Limits& limits = now().graph.limits;
+    const SizeLimits& limits = now().graph.limits;
     Progress& progress = terminal_.progress();
     if (is_last && !keeps_plant()) return take_last_picture(grown_, limits, now().scene, options_, progress);
     return take_picture(grown_, limits, now().scene, options_, progress);
@@ -248,7 +250,7 @@ class PictureTaker {
   bool keeps_plant() const { return !is_still_ || !shows_meshes_alone(options_) || chosen_.wants_truth(); }
 
   /// Returns the view from a side without obstacles. All pictures use this side, even if the camera turns.
-  View from_free_side(const MeshScene& plants, const View& view) {
+  CameraView from_free_side(const MeshScene& plants, const CameraView& view) {
     if (options_.still.transparent) return view;
     return view_past_obstacles(plants, now().scene.obstacles, view, aspect(), terminal_.progress());
   }
@@ -275,6 +277,7 @@ class PictureTaker {
                             .cache = is_still_ ? nullptr : &cache_,
                             .view = view,
                             .keeps_plant = keeps_plant()});
+    if (!chosen_.only.empty()) grown_.meshes = chosen_objects(grown_.meshes, chosen_.only, "--only");
     if (chosen_.cards) grown_.meshes = make_cards(grown_.meshes, {.cards = *chosen_.cards}, terminal_.progress());
   }
 
@@ -303,6 +306,7 @@ std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>&
   all.add(picture.still.width).add(picture.still.height).add(picture.still.samples).add(picture.still.transparent);
   all.add_text(options.show).add(options.step.value_or(-1)).add(options.no_plant);
   all.add(options.hull).add(options.detail.level).add(options.cards.value_or(0));
+  for (const std::string& object : options.only) all.add_text(object);
   for (const Picture& one : pictures) all.add(one.time).add(one.turn);
   return all.hash();
 }
@@ -321,6 +325,7 @@ std::string other_picture(const RenderOptions& options) {
   if (options.detail.level > 0) return "--lod";
   if (!options.show.empty()) return "--show";
   if (options.hull) return "--hull";
+  if (!options.only.empty()) return "--only";
   return options.no_plant ? "--no-plant" : "";
 }
 
@@ -488,6 +493,11 @@ void add_render(CLI::App& app, Run& run) {
       ->add_option("--show", options->show,
                    "Draw these over the plant, with a legend: a list of names separated by commas (see below)")
       ->type_name("NAMES");
+  command
+      ->add_option("--only", options->only,
+                   "Draw only these objects: ids of components, and the id with _crown for a crown body, such as tree "
+                   "or tree_crown")
+      ->type_name("OBJECT");
   command->add_flag("--no-plant", options->no_plant,
                     "Leave out the plants themselves, so that what --show names is seen alone");
   command

@@ -18,11 +18,11 @@
 #include "meristem/base/read_file.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/locate.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/output_files.h"
+#include "meristem/export/scan/scan_request.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/output_files.h"
 #include "meristem/output/scan/scan_files.h"
-#include "meristem/output/scan/scan_request.h"
 #include "meristem/output/write/names.h"
 #include "terminal.h"
 
@@ -60,7 +60,7 @@ struct InstrumentFile {
 Value instrument_value(const std::string& given, const std::string& root, std::optional<InstrumentFile>& file) {
   if (!lower_case(given).ends_with(".json")) return parse_override("x=" + given).value;
   require_within(root, given);
-  file = InstrumentFile{given, read_file(given, Limits().file_bytes)};
+  file = InstrumentFile{given, read_file(given, SizeLimits().file_bytes)};
   return parse_json_of(file->text, given);
 }
 
@@ -83,7 +83,7 @@ Value request_of(ScanCommand& command, std::optional<InstrumentFile>& file) {
       of_document.push_back(set);
       continue;
     }
-    const Override given = parse_override(set);
+    const ValueOverride given = parse_override(set);
     if (instrument.object() == nullptr) instrument = Value::Object{{"kind", instrument}};
     set_member(instrument, given.path.substr(kInstrumentPath.size()), given.value);
   }
@@ -112,7 +112,7 @@ ScanPlan plan_of(const Value& request, std::uint64_t seed, const std::optional<I
       if (!diagnostic.path.starts_with(kInstrumentPath)) continue;
       const std::string whole = diagnostic.path;
       diagnostic.path = diagnostic.path.substr(kInstrumentPath.size());
-      locate_diagnostics(file->text, std::span(&error, 1));
+      locate_diagnostics(file->text, std::span(&diagnostic, 1));
       if (diagnostic.line > 0) diagnostic.file = file->path;
       diagnostic.path = whole;
     }

@@ -17,7 +17,7 @@ Value::List blocks_of(std::span<const BegunClock> clocks) {
   Value::List blocks;
   const std::size_t told = std::min(clocks.size(), kMaxBlocks);
   for (std::size_t k = 0; k < told; ++k) {
-    const Clock& clock = clocks[told < 2 ? 0 : k * (clocks.size() - 1) / (told - 1)].clock;
+    const InstanceClock& clock = clocks[told < 2 ? 0 : k * (clocks.size() - 1) / (told - 1)].clock;
     blocks.push_back(Value::List{clock.start, clock.speed});
   }
   return blocks;

@@ -15,8 +15,8 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/in_quotes.h"
 #include "meristem/components/camera.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/picture/picture.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/output/write/picture_file.h"
 #include "protocol/check.h"
 #include "refusal.h"
@@ -32,8 +32,8 @@ bool is_picture(const ExportOptions& options) { return options.format == ".png" 
 bool is_document(const ExportOptions& options) { return options.format == ".json"; }
 bool is_film(const ExportOptions& options) { return film::is_film(options.format); }
 
-const Format* format_with(const std::string& ending) {
-  for (const Format& format : formats()) {
+const FileFormat* format_with(const std::string& ending) {
+  for (const FileFormat& format : formats()) {
     if (format.ending == ending) return &format;
   }
   return nullptr;
@@ -69,7 +69,7 @@ void write_text(const std::string& text, const std::string& path) {
   file.commit();
 }
 
-void write_levels(const ExportSource& source, const ExportOptions& options, const Format& format,
+void write_levels(const ExportSource& source, const ExportOptions& options, const FileFormat& format,
                   const std::string& path, Progress& progress) {
   GrownDocument grown = grown_for(source, options, format.needs, format.request, progress);
   EncodedPictures pictures;
@@ -137,7 +137,7 @@ Value formats_value() {
     list.push_back(Value::Object{
         {"ending", std::move(ending)}, {"doc", std::move(doc)}, {"levels", has_levels}, {"instances", can_instance}});
   };
-  for (const Format& format : formats())
+  for (const FileFormat& format : formats())
     add(std::string(format.ending), std::string(format.doc), format.has_meshes(), format.can_instance);
   add(".png", "a picture, ray-cast", false, false);
   add(".jpg", "a picture, ray-cast, as a smaller file", false, false);
@@ -182,8 +182,8 @@ StillOptions still_of(const ExportOptions& options, const Document& document) {
   return still;
 }
 
-View view_of(const ExportOptions& options, const Document& document) {
-  View view = camera_view(document.graph);
+CameraView view_of(const ExportOptions& options, const Document& document) {
+  CameraView view = camera_view(document.graph);
   if (!options.camera) return view;
   view.position = options.camera->position;
   view.target = options.camera->target;

@@ -38,7 +38,7 @@ bool has_frames(const ExportOptions& options);
 
 /// Returns the size, quality and camera of pictures.
 StillOptions still_of(const ExportOptions& options, const Document& document);
-View view_of(const ExportOptions& options, const Document& document);
+CameraView view_of(const ExportOptions& options, const Document& document);
 
 /// Keeps the files of a draft and returns the member "file" of the answer. That is the single file, or an archive of
 /// all files, with `first` at the head of its list. Throws MachineError, Cancelled.

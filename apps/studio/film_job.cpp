@@ -11,8 +11,8 @@
 #include "apps/film/film.h"
 #include "apps/film/frames.h"
 #include "meristem/document/grow.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/output/picture/camera.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/write/picture_file.h"
 #include "refusal.h"
 
@@ -48,7 +48,7 @@ class FrameTaker {
   void take(double time, const std::string& path) {
     grow_at(time);
     const bool may_move = document_.at_time != nullptr && !options_.camera;
-    const View view = may_move ? placed_view(last_, view_of(options_, now()), aspect()) : view_;
+    const CameraView view = may_move ? placed_view(last_, view_of(options_, now()), aspect()) : view_;
     write_picture(take_picture(grown_, now().graph.limits, now().scene, {.still = still_, .view = view}, progress_),
                   path, {});
   }
@@ -67,7 +67,7 @@ class FrameTaker {
   const ExportOptions& options_;
   Progress& progress_;
   StillOptions still_;
-  View view_;
+  CameraView view_;
   MeshScene last_;  // the plant that the camera shows as a whole
   GrowthCache cache_;
   std::optional<Document> other_;

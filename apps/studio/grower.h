@@ -19,7 +19,7 @@
 
 #include "host.h"
 #include "meristem/document/grow.h"
-#include "meristem/output/packet/scene_packet.h"
+#include "meristem/export/packet/scene_packet.h"
 #include "shown_pictures.h"
 
 namespace meristem::studio {

@@ -14,8 +14,8 @@
 
 #include "meristem/base/expression/expression.h"
 #include "meristem/components/expanded.h"
+#include "meristem/export/packet/short_values.h"
 #include "meristem/graph/instances.h"
-#include "meristem/output/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
 #include "shoot_places.h"
 
@@ -116,7 +116,7 @@ std::optional<FoundInstance> first_instance(const GrownPlant& grown, const std::
 
 /// Returns the value of an expression that uses only the document's variables. Returns nothing for other expressions,
 /// and for texts that are no expression.
-std::optional<double> constant_of(const std::string& text, const ExpressionNames& names, const Limits& limits) {
+std::optional<double> constant_of(const std::string& text, const ExpressionNames& names, const SizeLimits& limits) {
   try {
     const Expression expression = Expression::compile(text, names, limits.expression_bytes);
     if (!expression.is_constant()) return std::nullopt;

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "meristem/document/document.h"
+#include "meristem/export/measure_report.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/measure_report.h"
 #include "written_values.h"
 
 namespace meristem::studio {
@@ -23,7 +23,7 @@ MeasureOptions options_of(const MeasuresRequest& request) {
 /// the holes. Meshes are made only for light.
 Value measured_plant(const Document& document, const Plant& plant, const MeasuresRequest& request, Progress& progress) {
   const MeasureOptions options = options_of(request);
-  const Limits& limits = document.graph.limits;
+  const SizeLimits& limits = document.graph.limits;
   StandMeasures stand;
   if (options.organ_light) {
     const MeshScene meshes = mesh_for_rays(document, plant, progress);
@@ -63,7 +63,8 @@ Value SweepMaker::one(const SweepSource& source, const SweepRequest& request, do
                       Progress& progress) {
   Value::Object told{{"value", value}};
   try {
-    const std::vector<Override> values{{.path = request.path, .value = value, .name = "the value of " + request.path}};
+    const std::vector<ValueOverride> values{
+        {.path = request.path, .value = value, .name = "the value of " + request.path}};
     const Document document = read_document(
         source.text, source.file, registry,
         {.overrides = values, .time = source.time, .root = source.root, .store = &store_, .models = source.models});

@@ -43,7 +43,7 @@ std::string path_below_root(const RootFolder& root, const std::string& folder, c
 
 NamedFileCopies copy_named_files(const Document& document, const std::string& source_root, const RootFolder& root,
                                  const std::string& folder) {
-  const Limits& limits = document.graph.limits;
+  const SizeLimits& limits = document.graph.limits;
   const std::uint64_t max_bytes = std::max(limits.file_bytes, limits.document_bytes);
   NamedFileCopies copies;
   for (const auto& [relative, source] : files_by_path(document)) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "meristem/components/expanded.h"
-#include "meristem/output/packet/short_values.h"
+#include "meristem/export/packet/short_values.h"
 #include "meristem/plant/axis_labels.h"
 
 namespace meristem::studio {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "meristem/base/colour.h"
-#include "meristem/output/overlay/overlay.h"
-#include "meristem/output/packet/short_values.h"
+#include "meristem/export/overlay/overlay.h"
+#include "meristem/export/packet/short_values.h"
 #include "meristem/plant/plant_bounds.h"
 
 namespace meristem::studio {

@@ -3,8 +3,8 @@
 
 #include "grower.h"
 #include "meristem/base/progress.h"
+#include "meristem/export/packet/packet_arrays.h"
 #include "meristem/graph/table/value.h"
-#include "meristem/output/packet/packet_arrays.h"
 #include "request.h"
 
 namespace meristem::studio {

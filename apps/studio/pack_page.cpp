@@ -90,7 +90,7 @@ void add_page(const std::string& folder, Pack& pack) {
 void add_pictures(const std::string& folder, const std::string& prefix, Pack& pack) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".jpg") continue;
-    const Image image = read_image(entry.path().string(), Limits());
+    const Image image = read_image(entry.path().string(), SizeLimits());
     pack["pictures/" + prefix + entry.path().filename().string()] = {
         encode_jpeg(shrunk(image), {.quality = kPictureQuality, .max_bytes = {}}), false};
   }

@@ -21,8 +21,8 @@ namespace {
 
 /// Returns limits that accept a document of the maximum size with all of its characters escaped. A longer message is
 /// then refused for its own length only.
-Limits message_limits() {
-  Limits limits;
+SizeLimits message_limits() {
+  SizeLimits limits;
   limits.document_bytes = std::numeric_limits<std::uint64_t>::max();
   limits.nesting += 8;
   return limits;

@@ -36,12 +36,12 @@ struct TextRequest {
 
 struct EditRequest {
   std::string base;
-  std::vector<Edit> edits;
+  std::vector<SessionEdit> edits;
   bool only_if_good = false;
 };
 
 struct DragRequest {
-  std::vector<Override> values;
+  std::vector<ValueOverride> values;
 };
 
 /// Empty `of`: all plants.
@@ -196,7 +196,7 @@ struct CommandRequest {
 };
 
 struct StillsRequest {
-  std::vector<std::vector<Override>> states;
+  std::vector<std::vector<ValueOverride>> states;
   int width = 96;
   int height = 96;
   CameraOptions camera;

@@ -107,7 +107,7 @@ std::vector<FolderEntry> RootFolder::list(const std::string& folder) const {
 }
 
 std::string RootFolder::read(const std::string& file) const {
-  std::string text = read_file(absolute(file), Limits().document_bytes);
+  std::string text = read_file(absolute(file), SizeLimits().document_bytes);
   const std::size_t invalid = find_invalid_utf8(text);
   if (invalid == text.size()) return text;
   const TextPosition at = text_position(text, invalid);
@@ -124,7 +124,7 @@ std::optional<std::string> RootFolder::hash_on_disk(const std::string& file) con
   std::error_code error;
   if (!fs::exists(path, error)) return std::nullopt;
   try {
-    return text_hash(read_file(path, Limits().document_bytes));
+    return text_hash(read_file(path, SizeLimits().document_bytes));
   } catch (const InputError&) {
     return "";
   }

@@ -309,7 +309,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Grammar
 std::optional<StudioSession::Answer> StudioSession::act(double id, const PictureRequest& request) {
   run_later(id, {"picture"}, host_.stills,
             [request, document = session().file(), root = root_](Host&, Progress&) -> Value::Member {
-              return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
+              return {"thumbnail", thumbnail(request.file, request.size, document, root, SizeLimits())};
             });
   return std::nullopt;
 }

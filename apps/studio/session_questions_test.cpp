@@ -8,7 +8,7 @@
 
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
-#include "meristem/output/overlay/overlay.h"
+#include "meristem/export/overlay/overlay.h"
 #include "test_studio.h"
 
 namespace meristem::studio::session_questions_test {

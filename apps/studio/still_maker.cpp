@@ -17,10 +17,10 @@
 #include "meristem/base/vec.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/graph/table/read_store.h"
 #include "meristem/graph/texture_parameters.h"
 #include "meristem/output/picture/camera.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/write/png.h"
 #include "written_values.h"
 
@@ -44,7 +44,7 @@ double triangles_of(const Plant& plant) {
 }
 
 /// Returns the detail of the meshes. Only few different details are used, so that caches are useful.
-Detail detail_for(const Plant& plant) {
+MeshDetail detail_for(const Plant& plant) {
   const double wanted = kEnoughTriangles / std::max(1.0, triangles_of(plant));
   if (wanted >= 1) return {};
   double share = 0.5;
@@ -52,8 +52,8 @@ Detail detail_for(const Plant& plant) {
   return {.level = 1, .share = share};
 }
 
-View view_from(const CameraOptions& camera) {
-  View view;
+CameraView view_from(const CameraOptions& camera) {
+  CameraView view;
   view.position = camera.position;
   view.target = camera.target;
   view.field_of_view = radians(camera.field_of_view_deg);
@@ -94,9 +94,9 @@ int small_texture_size(const StillsRequest& request) {
 }
 
 /// Returns the view from a side that shows all of a scene.
-View fitted(const View& view, const MeshScene& scene, double aspect) {
+CameraView fitted(const CameraView& view, const MeshScene& scene, double aspect) {
   const DVec3 away = DVec3(*view.position) - DVec3(*view.target);
-  View fit = view;
+  CameraView fit = view;
   fit.position.reset();
   fit.target.reset();
   fit.azimuth = std::atan2(away.x, -away.z);
@@ -109,7 +109,7 @@ View fitted(const View& view, const MeshScene& scene, double aspect) {
 /// A grown document with other values. It has no scene if the document has faults.
 struct StillMaker::State {
   std::optional<Scene> scene{};
-  Limits limits{};
+  SizeLimits limits{};
   GrownDocument grown{};
   Value errors{};
 };
@@ -123,7 +123,7 @@ struct StillMaker::Lane {
 
   std::uint64_t kept_bytes() const { return plants.bytes() + meshes.bytes(); }
 
-  State grow(const StillSource& source, const std::vector<Override>& values, const Registry& registry,
+  State grow(const StillSource& source, const std::vector<ValueOverride>& values, const Registry& registry,
              Progress& progress) {
     State state;
     try {
@@ -190,7 +190,7 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
 
   // All states share a camera, as far back as necessary to show each of them.
   const double aspect = static_cast<double>(request.width) / request.height;
-  View view = view_from(request.camera);
+  CameraView view = view_from(request.camera);
   if (request.fits) {
     MeshScene all;
     for (const State& state : states) {

@@ -57,7 +57,7 @@ class StudioSession {
   /// A drag whose reading was stopped because of a newer message.
   struct UnreadDrag {
     double request = 0;
-    std::vector<Override> values;
+    std::vector<ValueOverride> values;
   };
 
   void require_rate();

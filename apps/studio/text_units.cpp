@@ -114,8 +114,8 @@ std::vector<std::size_t> units_of(std::string_view text, const std::vector<LineC
   return units;
 }
 
-Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices) {
-  Patch patch;
+TextPatch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices) {
+  TextPatch patch;
   Walk walk(text);
   for (const UnitSplice& splice : splices) {
     if (splice.offset < walk.unit()) throw std::invalid_argument("splices overlap or are not in order");
@@ -129,10 +129,10 @@ Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices) {
   return patch;
 }
 
-std::vector<UnitSplice> in_units(std::string_view text, const Patch& patch) {
+std::vector<UnitSplice> in_units(std::string_view text, const TextPatch& patch) {
   std::vector<UnitSplice> splices;
   Walk walk(text);
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     walk.to_byte(splice.offset);
     const std::size_t begin = walk.unit();
     walk.to_byte(splice.offset + splice.length);

@@ -41,9 +41,9 @@ struct UnitSplice {
 
 /// Returns the patch of `text` in bytes. Throws std::invalid_argument if the splices are not in rising order, overlap,
 /// lie outside of the text, or begin or end within a character.
-Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices);
+TextPatch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices);
 
 /// Returns the patch of `text` in units. The patch must be valid.
-std::vector<UnitSplice> in_units(std::string_view text, const Patch& patch);
+std::vector<UnitSplice> in_units(std::string_view text, const TextPatch& patch);
 
 }  // namespace meristem::studio

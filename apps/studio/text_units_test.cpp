@@ -17,8 +17,8 @@ TEST(TextUnits, HashAsThePageDoes) {
 
 TEST(TextUnits, CountAsJavaScriptDoes) {
   EXPECT_EQ(unit_count(kTree), 5U);
-  const Patch patch = in_bytes(kTree, {{1, 1, "e"}, {3, 2, "tree"}});
-  EXPECT_EQ(patch, (Patch{{1, 2, "e"}, {4, 4, "tree"}}));
+  const TextPatch patch = in_bytes(kTree, {{1, 1, "e"}, {3, 2, "tree"}});
+  EXPECT_EQ(patch, (TextPatch{{1, 2, "e"}, {4, 4, "tree"}}));
   EXPECT_EQ(apply_patch(kTree, patch), "he tree");
   EXPECT_EQ(in_units(kTree, patch), (std::vector<UnitSplice>{{1, 1, "e"}, {3, 2, "tree"}}));
 }
@@ -43,7 +43,7 @@ RC_GTEST_PROP(TextUnits, TakeAnyPatchThereAndBack, (std::string text, unsigned f
   for (char& letter : text) letter = static_cast<char>(letter & 0x7f);
   const std::size_t begin = first % (text.size() + 1);
   const std::size_t length = second % (text.size() - begin + 1);
-  const Patch patch{{begin, length, "x"}};
+  const TextPatch patch{{begin, length, "x"}};
   RC_ASSERT(in_bytes(text, in_units(text, patch)) == patch);
 }
 

@@ -69,7 +69,7 @@ Image shrunk(const Image& image, int size, PixelKind kind) {
 }
 
 Value thumbnail(const std::string& file, int size, const std::string& document, const std::string& root,
-                const Limits& limits) {
+                const SizeLimits& limits) {
   const std::string folder = std::filesystem::path(document).parent_path().string();
   const std::string path = (std::filesystem::path(folder) / file).string();
   FileAccess{.folder = folder, .root = root}.require_within(path);

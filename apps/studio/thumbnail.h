@@ -14,7 +14,7 @@ namespace meristem::studio {
 /// most `size` pixels along its longer side. `file` is relative to the folder of `document`, and must lie within
 /// `root`. Throws InputError, MachineError.
 Value thumbnail(const std::string& file, int size, const std::string& document, const std::string& root,
-                const Limits& limits);
+                const SizeLimits& limits);
 
 /// Returns the picture with at most `size` pixels along its longer side. Each pixel is the mean of the pixels that it
 /// covers: the mean of light for colours, and the mean of the numbers for `numbers`. A picture that is small enough is

@@ -48,11 +48,11 @@ TEST(Thumbnail, ReadsBesideTheDocumentAndNothingOutside) {
   std::filesystem::create_directory(inside);
   write_png(plain(40, 20, {1, 2, 3, 255}), inside + "/bark.png");
   write_png(plain(40, 20, {1, 2, 3, 255}), (folder / "secret.png").string());
-  const Value made = thumbnail("bark.png", 16, inside + "/plant.json", inside, Limits());
+  const Value made = thumbnail("bark.png", 16, inside + "/plant.json", inside, SizeLimits());
   EXPECT_EQ(*made.find("width")->number(), 40);
   EXPECT_EQ(made.find("picture")->text()->substr(0, 8), "iVBORw0K");
-  EXPECT_THROW(thumbnail("../secret.png", 16, inside + "/plant.json", inside, Limits()), InputError);
-  EXPECT_THROW(thumbnail("plant.json", 16, inside + "/plant.json", inside, Limits()), std::runtime_error);
+  EXPECT_THROW(thumbnail("../secret.png", 16, inside + "/plant.json", inside, SizeLimits()), InputError);
+  EXPECT_THROW(thumbnail("plant.json", 16, inside + "/plant.json", inside, SizeLimits()), std::runtime_error);
 }
 
 }  // namespace meristem::studio::thumbnail_test

@@ -71,7 +71,7 @@ void CacheRun::store_entry(std::type_index type, CacheKey key, std::shared_ptr<c
 
 void CacheRun::count(std::type_index type, bool is_reused, std::uint64_t many) {
   if (cache_ == nullptr) return;
-  Reuse& reuse = cache_->shelves_[type].reuse;
+  CacheReuse& reuse = cache_->shelves_[type].reuse;
   (is_reused ? reuse.reused : reuse.made) += many;
 }
 

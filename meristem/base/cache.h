@@ -16,7 +16,7 @@
 namespace meristem {
 
 /// The number of computed results, and the number of results found in the cache.
-struct Reuse {
+struct CacheReuse {
   std::uint64_t made = 0;    ///< results that had to be computed
   std::uint64_t reused = 0;  ///< results found in the cache
 };
@@ -32,9 +32,9 @@ class Cache {
  public:
   /// Returns the number of results of a type that the last run has found and computed so far.
   template <class Result>
-  Reuse reuse() const {
+  CacheReuse reuse() const {
     const auto shelf = shelves_.find(typeid(Result));
-    return shelf == shelves_.end() ? Reuse() : shelf->second.reuse;
+    return shelf == shelves_.end() ? CacheReuse() : shelf->second.reuse;
   }
   /// Returns the heap memory of all results in bytes.
   std::uint64_t bytes() const;
@@ -56,7 +56,7 @@ class Cache {
     std::unordered_map<std::uint64_t, Entry> entries;
     std::uint64_t run = 0;
     std::uint64_t series = 0;  // series of the last run
-    Reuse reuse;
+    CacheReuse reuse;
   };
 
   static void end_run(Shelf& shelf);

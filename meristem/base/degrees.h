@@ -43,7 +43,7 @@ inline double quarter_sin_deg(double x) {
 
 }  // namespace degrees_detail
 
-/// Returns the sine of an angle of at most kNearDegrees.
+/// Returns the sine of an angle in degrees. Its absolute value must be at most kNearDegrees.
 inline double near_sin_deg(double x) {
   // Subtract half turns. An odd number of half turns changes the sign.
   const double shifted = x * (1.0 / 180) + degrees_detail::kRounder;
@@ -53,7 +53,7 @@ inline double near_sin_deg(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine) ^ sign) + 0.0;
 }
 
-/// Returns the cosine of an angle of at most kNearDegrees.
+/// Returns the cosine of an angle in degrees. Its absolute value must be at most kNearDegrees.
 inline double near_cos_deg(double x) {
   const double turns = (x * (1.0 / 360) + degrees_detail::kRounder) - degrees_detail::kRounder;
   return degrees_detail::quarter_sin_deg(90 - std::abs(x - 360 * turns));
@@ -66,7 +66,8 @@ inline double near_degrees(double x) { return std::abs(x) <= kNearDegrees ? x : 
 inline double sin_deg(double degrees) { return near_sin_deg(near_degrees(degrees)); }
 /// Returns the cosine of an angle in degrees, or NaN for an infinity.
 inline double cos_deg(double degrees) { return near_cos_deg(near_degrees(degrees)); }
-/// Returns the tangent of an angle in degrees. Returns an infinity at odd multiples of 90.
+/// Returns the tangent of an angle in degrees, or NaN for an infinity. At odd multiples of 90, returns an infinity with
+/// the sign of the sine.
 inline double tan_deg(double degrees) { return sin_deg(degrees) / cos_deg(degrees); }
 
 }  // namespace meristem::math

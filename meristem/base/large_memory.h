@@ -15,7 +15,7 @@ void prefer_large_pages(void* begin, std::size_t bytes);
 /// are slower at their first write. Call it after large work, not after each step.
 void give_back_memory();
 
-/// Returns an empty vector with reserved memory for `count` items, in large pages if it is large.
+/// Resizes an empty vector to `count` items with default values. A large vector is in large pages.
 template <class Item>
 void resize_large(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);

@@ -10,7 +10,7 @@ namespace meristem {
 
 /// Limits on what one document may request. Exceeding one throws an InputError that names the parameter to change,
 /// before the memory is used. The defaults suit a machine with 8 GB.
-struct Limits {
+struct SizeLimits {
   std::uint64_t document_bytes = 16'000'000;   ///< bytes of the text of one document
   std::uint64_t nesting = 64;                  ///< levels of lists and objects in a document
   std::uint64_t diagnostics = 100;             ///< errors that are reported at once; the others are only counted

@@ -26,11 +26,12 @@ class RandomKey {
 
   /// Returns the `index`-th number of this stream, uniform in [0, 1). `lane` 0 and 1 give two independent numbers.
   double uniform(std::uint64_t index, unsigned lane = 0) const;
-  /// Returns a number that is uniform in [low, high).
+  /// Returns a number that is uniform from `low` to `high`. Rounding may return `high` itself if `low` is not 0.
   double uniform(std::uint64_t index, double low, double high) const { return low + (high - low) * uniform(index); }
   /// Returns a standard normal number (mean 0, standard deviation 1), by Box and Muller on the two lanes of `index`.
   double normal(std::uint64_t index) const;
-  /// Returns a direction that is uniform on the unit sphere.
+  /// Returns a unit vector that is uniform on the sphere. It uses both lanes of `index`, so uniform(), normal() and
+  /// direction() of one index are not independent.
   Vec3 direction(std::uint64_t index) const;
 
   /// Returns the key as one number, for caches and fingerprints.

@@ -86,7 +86,7 @@ int column_at(std::string_view line, std::size_t offset) {
 
 class ColumnReader {
  public:
-  ColumnReader(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits, RowLimit rows)
+  ColumnReader(std::string_view text, const std::vector<ColumnRequest>& forms, const SizeLimits& limits, RowLimit rows)
       : rest_(text),
         forms_(forms),
         limits_(limits),
@@ -192,7 +192,7 @@ class ColumnReader {
   StopCounter stop_;
   std::string_view rest_;
   const std::vector<ColumnRequest>& forms_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   std::uint64_t max_rows_;
   std::string_view limit_name_;
   std::string_view line_;
@@ -208,7 +208,7 @@ class ColumnReader {
 /// Reads all columns. A column is numeric until a cell is not a number, and then becomes a column of texts.
 class TableReader {
  public:
-  TableReader(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {
+  TableReader(std::string_view text, const SizeLimits& limits) : text_(text), limits_(limits) {
     if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
   }
 
@@ -350,7 +350,7 @@ class TableReader {
   StopCounter stop_;
   std::string_view text_;
   std::string_view rest_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   std::string_view line_;
   int number_ = 0;
   char separator_ = ',';
@@ -373,7 +373,7 @@ std::vector<std::string> TextTable::names() const {
   return names;
 }
 
-TextTable read_text_table(std::string_view text, const Limits& limits) { return TableReader(text, limits).run(); }
+TextTable read_text_table(std::string_view text, const SizeLimits& limits) { return TableReader(text, limits).run(); }
 
 int column_of_cell(std::string_view text, int line, std::string_view column) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -395,7 +395,7 @@ int column_of_cell(std::string_view text, int line, std::string_view column) {
   return 1;
 }
 
-Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits,
+Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const SizeLimits& limits,
                      RowLimit rows) {
   return ColumnReader(text, forms, limits, rows).run();
 }

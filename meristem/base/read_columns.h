@@ -37,7 +37,7 @@ struct Columns {
 /// requested are not read. Throws an InputError with all errors by line and column: a missing column (with the nearest
 /// name), a repeated column, a row with more or fewer cells than the head, a cell that is not a finite number or
 /// exceeds the limit of its column, no rows, or more rows than the limit allows.
-Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits,
+Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const SizeLimits& limits,
                      RowLimit rows = RowLimit::points);
 
 /// A table of numbers and texts with any columns.
@@ -73,6 +73,6 @@ inline constexpr std::uint64_t kMaxRows = 1'000'000;
 /// Reads all columns of a text in the format of read_columns(). Throws an InputError with all errors by line and
 /// column: no columns, two columns of one name, a row with more or fewer cells than the head, a number outside
 /// kFileNumber, or no rows. More than kMaxRows rows are an error before the rows are read.
-TextTable read_text_table(std::string_view text, const Limits& limits);
+TextTable read_text_table(std::string_view text, const SizeLimits& limits);
 
 }  // namespace meristem

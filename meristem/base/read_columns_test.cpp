@@ -18,7 +18,7 @@ const std::vector<ColumnRequest> kForms{{"rank", false}, {"x"}, {"y"}};
 
 Columns read(std::string_view text) { return read_columns(text, kForms, {}); }
 
-std::vector<Diagnostic> errors_of(std::string_view text, const Limits& limits = {}) {
+std::vector<Diagnostic> errors_of(std::string_view text, const SizeLimits& limits = {}) {
   try {
     read_columns(text, kForms, limits);
   } catch (const InputError& error) {
@@ -118,7 +118,7 @@ TEST(ReadColumns, RejectsNumbersBeyondTheLimitOfTheirColumn) {
   EXPECT_EQ(found.text(), "3:3: '1e39' in the column 'y' is out of range; expected a number from -3.4e+38 to 3.4e+38");
   const NumberLimit few{0, 10, "a count"};
   try {
-    read_columns("x\n11\n", {{.name = "x", .limit = few}}, Limits());
+    read_columns("x\n11\n", {{.name = "x", .limit = few}}, SizeLimits());
     ADD_FAILURE() << "11 is beyond the limit";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "2:1: '11' in the column 'x' is out of range; expected a count from 0 to 10");
@@ -150,12 +150,12 @@ TEST(ReadColumns, GathersAllFaultsOfRowsUpToTheLimit) {
   std::string text = "x,y\n";
   for (int row = 0; row < 50; ++row) text += "a,b\n";
   EXPECT_EQ(errors_of(text).size(), 100U);
-  Limits limits;
+  SizeLimits limits;
   limits.diagnostics = 7;
   EXPECT_EQ(errors_of(text, limits).size(), 7U);
 }
 
-std::vector<Diagnostic> table_errors(std::string_view text, const Limits& limits = {}) {
+std::vector<Diagnostic> table_errors(std::string_view text, const SizeLimits& limits = {}) {
   try {
     read_text_table(text, limits);
   } catch (const InputError& error) {

@@ -28,7 +28,7 @@ double middle_slope(double before, double after, double length_before, double le
 
 }  // namespace
 
-Track::Track(std::vector<Key> keys) : keys_(std::move(keys)), slope_(keys_.size(), 0) {
+KeyTrack::KeyTrack(std::vector<Key> keys) : keys_(std::move(keys)), slope_(keys_.size(), 0) {
   require(!keys_.empty(), "a track needs a key");
   const auto secant = [&](std::size_t k) {
     return (keys_[k + 1].value - keys_[k].value) / (keys_[k + 1].time - keys_[k].time);
@@ -41,14 +41,14 @@ Track::Track(std::vector<Key> keys) : keys_(std::move(keys)), slope_(keys_.size(
   }
 }
 
-double Track::at(double time) const {
+double KeyTrack::at(double time) const {
   if (time >= keys_.back().time) return keys_.back().value;
   if (!(time > keys_.front().time)) return keys_.front().value;
   const auto next = std::ranges::upper_bound(keys_, time, {}, &Key::time);
   return between(static_cast<std::size_t>(next - keys_.begin()) - 1, time);
 }
 
-double Track::between(std::size_t segment, double time) const {
+double KeyTrack::between(std::size_t segment, double time) const {
   const Key& from = keys_[segment];
   const Key& to = keys_[segment + 1];
   if (to.way == Way::step) return from.value;
@@ -64,7 +64,7 @@ double Track::between(std::size_t segment, double time) const {
 }
 
 /// Returns the first time at which the value reaches a level, in a segment that rises to the level or above.
-double Track::crossing(std::size_t segment, double level) const {
+double KeyTrack::crossing(std::size_t segment, double level) const {
   const Key& from = keys_[segment];
   const Key& to = keys_[segment + 1];
   if (to.way == Way::step) return to.time;
@@ -78,7 +78,7 @@ double Track::crossing(std::size_t segment, double level) const {
   return above;
 }
 
-double Track::since(double level, double by) const {
+double KeyTrack::since(double level, double by) const {
   if (at(by) < level) return kForever;
   // Segments are monotone, so the value was lower before if the segment begins lower.
   for (std::size_t k = keys_.size(); k-- > 1;) {

@@ -11,7 +11,7 @@ namespace meristem {
 
 /// Values at given times, with monotone interpolation between them: no value lies outside the values of the two keys
 /// around it.
-class Track {
+class KeyTrack {
  public:
   /// Interpolation from the key before to this key.
   enum class Way {
@@ -29,7 +29,7 @@ class Track {
   };
 
   /// `keys` must have at least one key, with ascending times.
-  explicit Track(std::vector<Key> keys);
+  explicit KeyTrack(std::vector<Key> keys);
 
   /// Returns all keys, ascending by time.
   const std::vector<Key>& keys() const { return keys_; }

@@ -11,7 +11,8 @@ namespace meristem {
 /// Returns the content of a file, which may be empty. Returns nothing if the file cannot be read.
 std::optional<std::string> whole_file(const std::string& path);
 
-/// Writes a file completely or not at all. Throws MachineError.
+/// Writes a file completely or not at all (see AtomicFile). Replaces an existing file; "-" is standard output. The
+/// folder of the file must exist. Throws MachineError.
 void write_whole_file(const std::string& path, std::string_view content);
 
 /// Creates a folder and its missing parents. Throws MachineError.

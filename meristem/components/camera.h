@@ -8,13 +8,13 @@ namespace meristem {
 
 /// The root of every graph: the view, and the frame that contains the plants.
 struct CameraParameters : ComponentBase {
-  View view;  ///< camera and frame of pictures
+  CameraView view;  ///< camera and frame of pictures
 };
 
 /// Returns the component type `camera`.
 ComponentType camera_component();
 
 /// Returns the view of a graph whose structure is valid.
-const View& camera_view(const Graph& graph);
+const CameraView& camera_view(const Graph& graph);
 
 }  // namespace meristem

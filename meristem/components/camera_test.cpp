@@ -8,20 +8,20 @@
 
 namespace meristem::camera_test {
 
-View view_of(const Value::Object& parameters) {
+CameraView view_of(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera", parameters);
   return camera_view(builder.sound_graph());
 }
 
 TEST(CameraComponent, GivesItsViewInRadians) {
-  const View view = view_of({{"position", Value::List{1, 2, 3}},
-                             {"target", Value::List{0, 1, 0}},
-                             {"field_of_view", 60},
-                             {"background", "#ffffff"}});
+  const CameraView view = view_of({{"position", Value::List{1, 2, 3}},
+                                   {"target", Value::List{0, 1, 0}},
+                                   {"field_of_view", 60},
+                                   {"background", "#ffffff"}});
   EXPECT_EQ(*view.position, Vec3(1, 2, 3));
   EXPECT_EQ(*view.target, Vec3(0, 1, 0));
-  const View by_angles = view_of({{"azimuth", 90}, {"altitude", -45}});
+  const CameraView by_angles = view_of({{"azimuth", 90}, {"altitude", -45}});
   EXPECT_DOUBLE_EQ(by_angles.azimuth, kPi / 2);
   EXPECT_DOUBLE_EQ(by_angles.altitude, -kPi / 4);
   EXPECT_DOUBLE_EQ(view.field_of_view, kPi / 3);
@@ -29,11 +29,11 @@ TEST(CameraComponent, GivesItsViewInRadians) {
 }
 
 TEST(CameraComponent, LeavesToTheProgramWhatIsNotGiven) {
-  const View view = view_of({});
+  const CameraView view = view_of({});
   EXPECT_FALSE(view.position.has_value());
   EXPECT_FALSE(view.target.has_value());
   EXPECT_FALSE(view.background.has_value());
-  EXPECT_EQ(view.azimuth, View{}.azimuth);
+  EXPECT_EQ(view.azimuth, CameraView{}.azimuth);
 }
 
 TEST(CameraComponent, RejectsWhatNoCameraCanSee) {

@@ -2,6 +2,9 @@
 // The component of colonizing trees: makes seedlings and growth from its parameters, and emits the grown stems.
 #include "meristem/components/colonize.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,9 +34,18 @@ ColonizeParameters growth_of(const Colonize& tree, double scale) {
   growth.light = tree.light.response;
   growth.light.shift = tree.light.shift_m ? scale * *tree.light.shift_m : tree.light.shift * growth.step;
   growth.light.drift = tree.light.drift * growth.step;
+  growth.light.field = tree.light.field * growth.step;
   growth.light.limit.radius *= scale;
   if (growth.light.shade) growth.light.shade->form.voxel *= scale;
   return growth;
+}
+
+/// Throws InputError if no world above the tree has a field that can carry its points.
+void require_field(const GrowContext& context) {
+  if (context.directions.light_sense().has_given() || context.directions.gravity_sense().has_given()) return;
+  throw InputError(Diagnostic{.message = "no world above the tree has a field of light or gravity",
+                              .expected = "a 'world' with a field above the tree, or no 'field'",
+                              .path = "components." + context.component + ".light.field"});
 }
 
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
@@ -48,6 +60,7 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
   }
   ColonizeParameters growth = growth_of(tree, *scale);
   growth.directions = context.directions;
+  if (growth.light.field != 0) require_field(context);
   growth.request = context.request;
   return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component, context.progress);
@@ -57,7 +70,9 @@ void expand(const Colonize& tree, const Site& site, const InstanceContext& insta
   Skeleton skeleton = stems.take_grown();
   const bool is_film = instance.grows_in_time();
   std::vector<std::uint8_t> shed;
-  if (tree.shed) shed = nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed"));
+  if (tree.shed) {
+    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &instance.scene());
+  }
   if (tree.shed && is_film) {
     let_fall(skeleton, shed, instance.animation().hold * *instance.animation().steps_per_second);
   } else if (tree.shed) {
@@ -74,6 +89,26 @@ MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
   if (tree.points.file) return {.points = tree.crown ? 0 : static_cast<double>(tree.points.file->size())};
   const double crowns = roots_of(tree).share_points() ? 1 : static_cast<double>(tree.roots.size());
   return {.points = crowns * known.minimum(member_of(tree, &Colonize::points, &PointsParameters::count))};
+}
+
+/// Warns if no root can reach its crown within the iterations. Compares with the box around the crown, so it misses
+/// crowns that are only just out of reach.
+void warn_of_bare_stems(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
+  if (!tree.crown || tree.points.file || reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  const CrownPointer crown = build_crown(*tree.crown);
+  if (crown->bounds().is_empty()) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vec3 root : tree.roots) {
+    const Vec3 from = roots_of(tree).share_points() ? root : Vec3(0);
+    const Vec3 gap = from - glm::clamp(from, crown->bounds().low, crown->bounds().high);
+    nearest = std::min(nearest, std::sqrt(squared_length(DVec3(gap))));
+  }
+  const double reached = tree.growth.iterations * tree.growth.step + tree.growth.influence;
+  if (!(nearest > reached)) return;
+  reader.warn(DocumentPath(path, "iterations"),
+              fmt::format("growth ends in the trunk: the crown begins {:.4g} m from the root, and {} steps of {:.4g} m "
+                          "with the influence distance of {:.4g} m reach {:.4g} m",
+                          nearest, tree.growth.iterations, tree.growth.step, tree.growth.influence, reached));
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
@@ -93,6 +128,7 @@ void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterRea
                                  growth.step, growth.kill),
                      fmt::format("a number (m) of at most {:.7g}", growth.kill));
   }
+  warn_of_bare_stems(tree, path, reader);
 }
 
 const ParameterTable& shade_form_table() {
@@ -110,6 +146,14 @@ const ParameterTable& shade_form_table() {
   return table;
 }
 
+/// Warns of shade to which a tree cannot respond, because the form of the shade then has no effect.
+void warn_of_idle_shade(const ShadeResponse& shade, const DocumentPath& path, ParameterReader& reader) {
+  if (shade.bears > 0 && shade.form.amount > 0) return;
+  const char* const name = shade.bears > 0 ? "a" : "bears";
+  reader.warn(DocumentPath(path, name),
+              fmt::format("the shade has no effect, and neither have 'voxel', 'a', 'b' and 'depth': '{}' is 0", name));
+}
+
 const ParameterTable& shade_table() {
   static const ParameterTable table =
       Table<ShadeResponse>("a shade response",
@@ -117,7 +161,8 @@ const ParameterTable& shade_table() {
           .number("bears", &ShadeResponse::bears, {.min = 0, .max = 1},
                   "Light below which points do not pull, from 1 in the open to 0 in darkness; raised, the tree "
                   "tolerates less shade.")
-          .members(&ShadeResponse::form, shade_form_table());
+          .members(&ShadeResponse::form, shade_form_table())
+          .check(warn_of_idle_shade);
   return table;
 }
 
@@ -149,9 +194,13 @@ const ParameterTable& light_table() {
           .number("drift", &LightResponseParameters::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
                   "Distance that each attraction point moves per step, in the direction in which its nearest node "
                   "finds more light; raised, branches turn to the light more.")
+          .number("field", &LightResponseParameters::field, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+                  "Distance that each attraction point moves per step along the fields of the worlds above the tree, "
+                  "such as a wind of strength 1; raised, the wind carries the crown farther.")
           .members(&LightResponseParameters::response, response_table())
           .never_with("shift", {"shift_m"})
-          .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
+          .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight"})
+          .only_where({{"shift"}, {"shift_m"}, {"drift"}, {"field"}}, {"hold_height"});
   return table;
 }
 

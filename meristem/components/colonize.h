@@ -17,6 +17,7 @@ struct LightResponseParameters {
   double shift = 0;               ///< movement of the whole cloud in each step, in steps
   std::optional<double> shift_m;  ///< metres; replaces `shift`
   double drift = 0;               ///< movement of a point in the shade in each step, in steps
+  double field = 0;               ///< movement of a point along a field of strength 1 in each step, in steps
   LightResponse response;         ///< all other parameters of the response
 };
 
@@ -28,8 +29,8 @@ struct Colonize : GrowingComponent {
   bool one_crown = false;                ///< true: one crown above the component's origin; false: one crown per root
   ColonizeParameters growth;             ///< growth parameters except the light response
   LightResponseParameters light;         ///< response to light
-  std::optional<Condition> shed;         ///< branches that are removed after growth
-  Surface surface;                       ///< surface of the stems
+  std::optional<SiteCondition> shed;     ///< branches that are removed after growth
+  SurfaceOptions surface;                ///< surface of the stems
   TrimMode trim = TrimMode::cut;         ///< effect of a body around its stems
 };
 

@@ -136,7 +136,7 @@ TEST(ColonizeComponent, LeavesStandAlongTwigsAndAtTips) {
   builder.link("tree", "leaf", LinkKind::branch, {{"count", 500}}).link("tree", "bud", LinkKind::leaf);
   const Plant plant = builder.grow();
   EXPECT_EQ(organs_of(plant, "leaf").size(), 500U);
-  const Axes axes(plant.stems.at(0).skeleton);
+  const SkeletonAxes axes(plant.stems.at(0).skeleton);
   EXPECT_EQ(organs_of(plant, "bud").size(), axes.count());
   std::size_t at_tip = 0;
   for (AxisIndex a = 0; a < axes.count(); ++a) {
@@ -278,6 +278,66 @@ TEST(ColonizeComponent, EachPartOfItsLightChangesHowItGrows) {
   EXPECT_NE(grown({{"drift", 0.3}, {"sunlit_weight", 0.1}}), grown({{"drift", 0.3}}));
   // The default step is 0.05 m.
   EXPECT_EQ(grown({{"shift_m", 0.015}}), grown({{"shift", 0.3}}));
+}
+
+TEST(ColonizeComponent, AFieldOfAWorldCarriesItsPoints) {
+  const auto grown = [](double field, double strength) {
+    GraphBuilder builder(builtin_components());
+    const Value::Object wind{{"wind", Value::Object{}}, {"strength", strength}, {"add", true}};
+    Value::Object parameters = with({{"points", 300}});
+    if (field > 0) parameters.emplace_back("light", Value::Object{{"field", field}});
+    return builder.component("view", "camera")
+        .component("coast", "world", {{"light", wind}})
+        .component("tree", "colonize", parameters)
+        .link("view", "coast")
+        .link("coast", "tree")
+        .grow()
+        .stems.at(0)
+        .skeleton;
+  };
+  const auto mean = [](const Skeleton& tree) {
+    double sum = 0;
+    for (const Vec3 position : tree.position) sum += position.x;
+    return sum / static_cast<double>(tree.node_count());
+  };
+  EXPECT_GT(mean(grown(0.1, 1)), mean(grown(0, 1)) + 0.1);
+  EXPECT_GT(mean(grown(0.1, 1)), mean(grown(0.1, 0.3)) + 0.05);
+  // Without a world, the parameter has no effect and is an error.
+  const Diagnostic without = error(with({{"light", Value::Object{{"field", 0.1}}}}));
+  EXPECT_EQ(without.path, "components.tree.light.field");
+  EXPECT_EQ(without.message, "no world above the tree has a field of light or gravity");
+}
+
+/// Returns the warnings of reading.
+std::vector<Diagnostic> warnings(const Value::Object& parameters) {
+  const ComponentType type = colonize_component();
+  const auto read = type.make_parameters();
+  ParameterReader reader({}, SizeLimits());
+  reader.read_varying(type.parameters, read.get(), parameters, DocumentPath(DocumentPath(), "tree"));
+  return reader.take_diagnostics();
+}
+
+TEST(ColonizeComponent, WarnsOfShadeThatHasNoEffect) {
+  for (const char* const name : {"bears", "a"}) {
+    const Value::Object shade{{name, 0}, {"voxel", 0.5}};
+    const auto found = warnings(with({{"light", Value::Object{{"shade", shade}}}}));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].path, std::string("tree.light.shade.") + name);
+    EXPECT_EQ(found[0].severity, Severity::warning);
+  }
+  EXPECT_TRUE(warnings(with({{"light", Value::Object{{"shade", Value::Object{{"voxel", 0.5}}}}}})).empty());
+}
+
+TEST(ColonizeComponent, WarnsOfACrownThatIsNeverReached) {
+  const Value::Object far{{"centre", Value::List{0, 900, 0}}, {"radius", 1}};
+  const auto found = warnings({{"crown", Value::Object{{"sphere", far}}}});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_EQ(found[0].path, "tree.iterations");
+  EXPECT_EQ(found[0].message,
+            "growth ends in the trunk: the crown begins 899 m from the root, and 1000 steps of 0.05 m with the "
+            "influence distance of 0.6 m reach 50.6 m");
+  EXPECT_TRUE(warnings(with({})).empty());
 }
 
 TEST(ColonizeComponent, ItsLightIsChecked) {

@@ -9,7 +9,8 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 #include "tests/support/space_maps.h"

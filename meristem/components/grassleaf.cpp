@@ -271,7 +271,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
 }
 
 /// Returns the value of a formula. Throws if it is not finite or too large.
-double value_of(const std::optional<Formula>& formula, std::span<const double> names, RandomKey key,
+double value_of(const std::optional<ParameterFormula>& formula, std::span<const double> names, RandomKey key,
                 const InstanceContext& instance, const char* parameter) {
   const double value = formula->expression.evaluate(names, key);
   if (!(std::abs(value) <= kMaxRate)) {
@@ -288,7 +288,7 @@ class LifeRates {
 
   GrowthRates operator()(double lived, double visible) const {
     const std::array<double, 2> names{lived, visible};
-    const auto rate = [&](const std::optional<Formula>& formula, const char* parameter) {
+    const auto rate = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
       return formula ? value_of(formula, names, key_.child(parameter), instance_, parameter) : 1.0;
     };
     return {rate(vary_.age, "vary.age"), rate(vary_.length, "vary.length"), rate(vary_.width, "vary.width"),
@@ -348,7 +348,7 @@ std::function<DVec3(double, double)> displacement(const Grassleaf& grass, const 
   if (!grass.f && !grass.g && !grass.h) return {};
   return [&grass, &instance](double s, double u) {
     const std::array<double, 2> names{s, u};
-    const auto value = [&](const std::optional<Formula>& formula, const char* parameter) {
+    const auto value = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
       return formula ? value_of(formula, names, RandomKey(), instance, parameter) : 0.0;
     };
     return DVec3(value(grass.f, "f"), value(grass.g, "g"), value(grass.h, "h"));

@@ -184,7 +184,7 @@ TEST(Grassleaf, ANumberThatVariesIsStillRoundedSoThatLeavesShareMeshes) {
 
 TEST(Grassleaf, WavesThatItsPolygonsCannotShowAreWarnedOf) {
   const auto warnings_of = [](const Object& leaf) {
-    ParameterReader reader({}, Limits());
+    ParameterReader reader({}, SizeLimits());
     const ComponentType type = grassleaf_component();
     const std::shared_ptr<void> parameters = type.make_parameters();
     reader.read_varying(type.parameters, parameters.get(), leaf, DocumentPath());

@@ -15,9 +15,10 @@ struct Horn : ComponentBase {
   double twist = 0;  ///< rotation of the section about the curve from base to tip, radians
   Section section = Section::ring;
   std::vector<Vec2> outline;  ///< x and z, shares of the radius
-  Count ribs = 12;  ///< number of evenly spaced sites on the curve, including both ends; the last one may be appearing
+  PartCount ribs =
+      12;           ///< number of evenly spaced sites on the curve, including both ends; the last one may be appearing
   int around = 24;  ///< corners around primitives; larger: rounder
-  Surface surface;  ///< surface of the stem of a ring
+  SurfaceOptions surface;         ///< surface of the stem of a ring
   TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 };
 

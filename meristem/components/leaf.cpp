@@ -80,7 +80,7 @@ void expand(const Leaf& leaf, const Site&, const InstanceContext& instance, Orga
 double minimum_triangles(const Leaf& leaf, const KnownMembers& known) {
   if (known.varies(member_of(leaf, &Leaf::blade))) return 2;
   const SharedNumbers shared(leaf, [](double LeafBlade::*) { return false; });
-  return static_cast<double>(make_leaf_blade(shared_blade(leaf.blade, shared)).triangle_count());
+  return static_cast<double>(leaf_blade_triangles(shared_blade(leaf.blade, shared)));
 }
 
 void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {

@@ -49,7 +49,7 @@ struct PolygonShape {
   std::uint64_t key = 0;
 };
 
-PolygonShape shape_of(const Drawing& drawing, const TurtlePolygon& polygon) {
+PolygonShape shape_of(const WordDrawing& drawing, const TurtlePolygon& polygon) {
   PolygonShape shape;
   const std::span corners = std::span(drawing.corners).subspan(polygon.first, polygon.count);
   float size = 0;
@@ -79,7 +79,7 @@ Vec3 tint_of(const Lsystem& plant, std::uint32_t colour) {
   return linear_from_srgb(plant.palette[std::min<std::size_t>(colour, last)]) / linear_from_srgb(kLeafGreen);
 }
 
-void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawing, const InstanceContext& instance,
+void emit_polygons(const Lsystem& plant, const Site& site, const WordDrawing& drawing, const InstanceContext& instance,
                    OrganSink& organs, StemSink& stems) {
   const Mat3 to_instance = glm::inverse(site.frame.axes);
   for (const TurtlePolygon& polygon : drawing.polygons) {
@@ -106,8 +106,8 @@ double step_of(const Lsystem& plant, const Site& site) {
 }
 
 /// Finishes the skeleton. Polygons and sites move with the nodes that bear them.
-void finish_drawing(const Lsystem& plant, const Site& site, Drawing& drawing, const InstanceContext& instance) {
-  Finish wanted = *plant.finish;
+void finish_drawing(const Lsystem& plant, const Site& site, WordDrawing& drawing, const InstanceContext& instance) {
+  FinishOptions wanted = *plant.finish;
   const double step = step_of(plant, site);
   if (step == 0) wanted.decimate = wanted.subdivide = 0;
   if (drawing.skeleton.node_count() == 0) return;
@@ -149,7 +149,7 @@ void finish_drawing(const Lsystem& plant, const Site& site, Drawing& drawing, co
 
 void expand(const Lsystem& plant, const Site& site, const InstanceContext& instance, OrganSink& organs, StemSink& stems,
             SiteSink& sites) {
-  Drawing drawing;
+  WordDrawing drawing;
   Word word;
   try {
     const PlantGrammar& source = plant.source();

@@ -34,10 +34,10 @@ struct Lsystem : ComponentBase {
   std::optional<double> angle;  ///< degrees; unset: from the grammar
   std::optional<PolarAngles> angles;
   WidthDecay width_decay;
-  TurtleParameters turtle;       ///< without angles, decays and directions
-  std::vector<Vec3> palette;     ///< colours of polygons, by colour number; empty: the green of leaves
-  std::optional<Finish> finish;  ///< post-processing of the skeleton, in steps of the turtle's length
-  Surface surface;
+  TurtleParameters turtle;              ///< without angles, decays and directions
+  std::vector<Vec3> palette;            ///< colours of polygons, by colour number; empty: the green of leaves
+  std::optional<FinishOptions> finish;  ///< post-processing of the skeleton, in steps of the turtle's length
+  SurfaceOptions surface;
   TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 
   const PlantGrammar& source() const { return grammar ? *grammar : *file; }

@@ -71,13 +71,13 @@ ComponentType watched(const ComponentType& type, MetInstances& met) {
   return made;
 }
 
-Vec3 middle_of(const Drawing& drawing, const TurtlePolygon& polygon) {
+Vec3 middle_of(const WordDrawing& drawing, const TurtlePolygon& polygon) {
   Vec3 sum(0);
   for (std::uint32_t k = 0; k < polygon.count; ++k) sum += drawing.corners[polygon.first + k];
   return sum / static_cast<float>(polygon.count);
 }
 
-std::vector<DrawnModule> places_of(const Drawing& drawing) {
+std::vector<DrawnModule> places_of(const WordDrawing& drawing) {
   std::vector<DrawnModule> places;
   const Skeleton& skeleton = drawing.skeleton;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {

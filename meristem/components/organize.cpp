@@ -34,6 +34,7 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
   growth.radii.tip_radius *= scale;
   growth.light = tree.light.model;
   growth.light.voxel *= scale;
+  if (growth.closure) *growth.closure *= scale;
   int number = 0;
   const auto add = [&](const AnyOperation& operation) {
     ++number;
@@ -220,6 +221,43 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
   }
 }
 
+/// Warns of parameters of cuts if no operation cuts.
+void check_uncut(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  const auto cuts = [](const AnyOperation& operation) {
+    return !common_of(operation).off &&
+           (std::holds_alternative<CutParameters>(operation) || std::holds_alternative<SpurParameters>(operation) ||
+            std::holds_alternative<LimitParameters>(operation) || std::holds_alternative<LayersParameters>(operation));
+  };
+  if (tree.training || tree.operations.empty() || std::ranges::any_of(tree.operations, cuts)) return;
+  const OrganizeParameters plain;
+  const auto warn = [&](const DocumentPath& at, const char* name) {
+    reader.warn(at, fmt::format("'{}' has no effect: none of the operations cuts a shoot", name));
+  };
+  if (tree.growth.takeover != plain.takeover) warn(DocumentPath(path, "takeover"), "takeover");
+  const DocumentPath resource(path, "resource");
+  if (tree.growth.resource.pass_back != plain.resource.pass_back)
+    warn(DocumentPath(resource, "pass_back"), "pass_back");
+  if (!tree.growth.damage) warn(DocumentPath(path, "damage"), "damage");
+}
+
+/// Warns of lateral buds that need not wait but open with or after their terminal buds all the same.
+void check_waiting(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  const OrganizeParameters& growth = tree.growth;
+  const ResourceModel& resource = growth.resource;
+  if (growth.laterals_wait || tree.light.model.kind != BudLightModel::Kind::shadow) return;
+  if (resource.division != ResourceModel::Division::borchert_honda) return;
+  constexpr int kSamples = 64;
+  for (int k = 0; k <= kSamples; ++k) {
+    if (resource.lambda * resource.lambda_curve(static_cast<double>(k) / kSamples) < 0.5) return;
+  }
+  if (growth.terminal_threshold > growth.lateral_threshold) return;
+  reader.warn(
+      DocumentPath(path, "laterals_wait"),
+      fmt::format("'laterals_wait' has no effect: with a 'lambda' of at least 0.5, a terminal bud gets at least "
+                  "the resource of the lateral bud beside it, and it opens at {:.4g}, the lateral bud at {:.4g}",
+                  growth.terminal_threshold, growth.lateral_threshold));
+}
+
 /// Reports operations on trees that do not exist.
 void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const std::size_t trees = places_of(tree).size();
@@ -247,6 +285,8 @@ void check_organize(const Organize& tree, const DocumentPath& path, ParameterRea
         fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMaxVoxels));
   }
   check_schedules(tree, path, reader);
+  check_uncut(tree, path, reader);
+  check_waiting(tree, path, reader);
   check_balance(tree, path, reader);
 }
 
@@ -274,6 +314,13 @@ Value expanded_training(const Prototype& component) {
 std::optional<int> last_iteration(const Prototype& component) {
   if (component.type->name != "organize") return std::nullopt;
   return static_cast<const Organize*>(component.parameters.get())->growth.iterations;
+}
+
+bool leans_in_vain(const Prototype& component, const Light& light) {
+  if (component.type->name != "organize") return false;
+  const BudLightModel& model = static_cast<const Organize*>(component.parameters.get())->light.model;
+  if (model.kind != BudLightModel::Kind::shadow || model.lean == BudLightModel().lean) return false;
+  return glm::distance(light.mean_direction(), kUp) < 1e-6F;
 }
 
 ComponentType organize_component() {
@@ -311,7 +358,7 @@ ComponentType organize_component() {
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_where({{"operations"}, {"training"}},
-                          {"damage", "takeover", "resource.pass_back", "plan", "callus"})
+                          {"damage", "takeover", "resource.pass_back", "plan", "callus", "closure", "water_shoots"})
               .only_where({{"operations"}}, {"summer"})
               .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
               .only_where({{"resource.lambda_curve"}}, {"maturity"})

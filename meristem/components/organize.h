@@ -26,12 +26,16 @@ struct Organize : GrowingComponent {
   std::vector<Vec3> roots{Vec3(0)};  ///< positions of the trees, in the component's frame
   int leaf_age = 1;
   double leaf_angle = radians(50);
-  Surface surface;
+  SurfaceOptions surface;
   TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
   /// The trees of `skeleton` in the component's frame, with all radii above 0.
   std::shared_ptr<const std::vector<Skeleton>> standing{};
 };
 
 ComponentType organize_component();
+
+/// Returns true if `component` is a self-organizing tree whose `light.lean` is given but has no effect: the light of
+/// the scene comes from straight above, so shade falls straight down in any case.
+bool leans_in_vain(const Prototype& component, const Light& light);
 
 }  // namespace meristem

@@ -37,7 +37,7 @@ inline Diagnostic error(const Value::Object& parameters) {
 inline std::string warnings(const Value::Object& parameters) {
   const ComponentType type = organize_component();
   const auto read = type.make_parameters();
-  ParameterReader reader({}, Limits());
+  ParameterReader reader({}, SizeLimits());
   const DocumentPath top;
   reader.read_varying(type.parameters, read.get(), parameters, DocumentPath(top, "tree"));
   EXPECT_EQ(reader.error_count(), 0U);

@@ -9,6 +9,7 @@
 #include "meristem/components/organize_in_a_test.h"
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem::organize_operations_test {
@@ -166,6 +167,71 @@ TEST(OrganizeComponent, SpursAndLimitsHoldAnEspalierAsItIs) {
     return static_cast<double>(trained("espalier", iterations).node_count());
   };
   EXPECT_NEAR(metamers(25) / metamers(16), 1, 0.1);
+}
+
+TEST(OrganizeComponent, AnEspalierHoldsItsSizeAndItsLimits) {
+  const auto grown = [](std::uint64_t seed, int iterations) {
+    return tree({{"training", "espalier"},
+                 {"iterations", iterations},
+                 {"resource", Value::Object{{"alpha", 2.45}}},
+                 {"length", 0.1}})
+        .seed(seed)
+        .grow()
+        .stems.at(0)
+        .skeleton;
+  };
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    double first = 0;
+    for (const int iterations : {15, 17, 20, 25}) {
+      const Skeleton espalier = grown(seed, iterations);
+      for (const Arm& arm : arms_of(espalier)) EXPECT_LE(arm.metamers, 12) << seed << " at " << iterations;
+      const auto metamers = static_cast<double>(espalier.node_count() - 1);
+      if (iterations == 15) first = metamers;
+      EXPECT_NEAR(metamers / first, 1, 0.1) << seed << " at " << iterations;
+    }
+  }
+}
+
+TEST(OrganizeComponent, WarnsOfParametersOfCutsWithoutACut) {
+  const auto marking = [](Value::Object more) {
+    more.emplace_back("operations",
+                      Value::List{Value(Value::Object{{"do", "mark"}, {"shoots", "rank == 1"}, {"state", "old"}})});
+    return more;
+  };
+  EXPECT_EQ(warnings(marking({{"takeover", 0.3}})),
+            "warning: tree.takeover: 'takeover' has no effect: none of the operations cuts a shoot\n");
+  EXPECT_NE(warnings(marking({{"damage", false}})), "");
+  EXPECT_NE(warnings(marking({{"resource", Value::Object{{"pass_back", 0.2}}}})), "");
+  EXPECT_EQ(warnings(marking({})), "");
+  Value::Object cutting = operation({{"above", 3}});
+  cutting.emplace_back("takeover", 0.3);
+  EXPECT_EQ(warnings(cutting), "");
+}
+
+TEST(OrganizeComponent, WarnsOfLateralsThatWaitInAnyCase) {
+  const auto warned = [](Value::Object more) {
+    more.emplace_back("laterals_wait", false);
+    return warnings(more);
+  };
+  EXPECT_NE(warned({}), "") << "lambda is 0.52";
+  EXPECT_EQ(warned({{"resource", Value::Object{{"lambda", 0.48}}}}), "");
+  EXPECT_EQ(warned({{"terminal_threshold", 2}, {"lateral_threshold", 1.5}}), "");
+  EXPECT_EQ(warned({{"light", Value::Object{{"model", "markers"}}}}), "");
+  // The warning is true: both grow equal trees.
+  EXPECT_EQ(skeleton_of({{"iterations", 12}, {"laterals_wait", false}}).position,
+            skeleton_of({{"iterations", 12}}).position);
+}
+
+TEST(OrganizeComponent, LeansInVainUnderLightFromAbove) {
+  const auto in_vain = [](Value::Object light, Vec3 toward) {
+    const Graph graph = tree({{"light", std::move(light)}}).graph();
+    Light sun;
+    sun.sun = {{toward, 1}};
+    return std::ranges::any_of(graph.components, [&](const Prototype& one) { return leans_in_vain(one, sun); });
+  };
+  EXPECT_TRUE(in_vain({{"lean", 0.5}}, kUp));
+  EXPECT_FALSE(in_vain({{"lean", 0.5}}, Vec3(0.6F, 0.8F, 0)));
+  EXPECT_FALSE(in_vain({}, kUp));
 }
 
 TEST(OrganizeComponent, EachTrainingGrowsATree) {

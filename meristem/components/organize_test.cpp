@@ -185,7 +185,7 @@ TEST(OrganizeComponent, PlacementKeysPutLeavesAlongTheStems) {
 TEST(OrganizeComponent, LeafLinksStandAtTheTips) {
   auto builder = tree({{"iterations", 8}}).component("bud", "simple").link("tree", "bud", LinkKind::leaf);
   const Plant plant = builder.grow();
-  EXPECT_EQ(organs_of(plant, "bud").size(), Axes(plant.stems.at(0).skeleton).count());
+  EXPECT_EQ(organs_of(plant, "bud").size(), SkeletonAxes(plant.stems.at(0).skeleton).count());
 }
 
 TEST(OrganizeComponent, WhatOnlyDressesItDoesNotGrowItAnew) {

@@ -12,7 +12,7 @@ namespace meristem {
 
 /// The distribution of the children of a phiball.
 struct Phiball : ComponentBase {
-  Count number = 50;
+  PartCount number = 50;
   std::optional<double> radius;  ///< radius of the sphere, metres; 0.1 if neither radius nor area is set
   std::optional<double> area;    ///< area of a child of size 1, square metres; determines the radius
   double theta1 = 0;             ///< begin of the zone, radians from the pole

@@ -28,7 +28,7 @@ inline std::string plugin_interface() {
                      ", C++ interface " + std::to_string(__GXX_ABI_VERSION) + ", layout";
   for (const std::size_t size : {sizeof(ComponentType), sizeof(ParameterTable), sizeof(Parameter), sizeof(MemberType),
                                  sizeof(ParameterReader), sizeof(Varying), sizeof(Site), sizeof(Emitter),
-                                 sizeof(GrowContext), sizeof(Scene), sizeof(Surface), sizeof(Limits)}) {
+                                 sizeof(GrowContext), sizeof(Scene), sizeof(SurfaceOptions), sizeof(SizeLimits)}) {
     text += ' ' + std::to_string(size);
   }
   return text;

@@ -74,7 +74,7 @@ ComponentType revolution_component() {
       .expand = expand,
       .minimum_triangles =
           [](const Revolution& component, const KnownMembers&) {
-            return static_cast<double>(make_revolution(component.body).triangle_count());
+            return static_cast<double>(revolution_triangles(component.body));
           },
   });
 }

@@ -81,7 +81,7 @@ void expand(const Simple& simple, const Site&, const InstanceContext& instance, 
 double minimum_triangles(const Simple& simple, const KnownMembers& known) {
   if (is_section(simple.shape) || simple.shape == Simple::Shape::none) return 0;
   const int segments = std::max(3, static_cast<int>(known.minimum(member_of(simple, &Simple::segments))));
-  return static_cast<double>(make_unit_shape(static_cast<UnitShape>(simple.shape), segments).triangle_count());
+  return unit_shape_triangles(static_cast<UnitShape>(simple.shape), segments);
 }
 
 void check_outline(const Simple& simple, const DocumentPath& path, ParameterReader& reader) {

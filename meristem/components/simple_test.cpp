@@ -5,6 +5,7 @@
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/components/parts/unit_shape.h"
 #include "meristem/components/registry.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
@@ -45,6 +46,17 @@ TEST_P(SimpleShape, ChildrenStandOnTop) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, SimpleShape, testing::Values("box", "sphere", "cylinder", "cone", "torus"));
+
+TEST(Simple, TrianglesOfShapesAreCountedWithoutAMesh) {
+  for (const UnitShape shape :
+       {UnitShape::box, UnitShape::sphere, UnitShape::cylinder, UnitShape::cone, UnitShape::torus}) {
+    for (const int segments : {3, 4, 5, 7, 16, 33}) {
+      EXPECT_EQ(unit_shape_triangles(shape, segments),
+                static_cast<double>(make_unit_shape(shape, segments).triangle_count()))
+          << static_cast<int>(shape) << " " << segments;
+    }
+  }
+}
 
 TEST(Simple, SizesShareOneShape) {
   auto builder = one({{"size", Value::List{"1 + i", "rand(1, 2)", 1}}});

@@ -24,7 +24,7 @@ struct SkeletonFromFile : ComponentBase {
   double tip_radius = 0.002;
   double pipe_exponent = 2.4;
   SkeletonFinish finish;
-  Surface surface;
+  SurfaceOptions surface;
   TrimMode trim = TrimMode::cut;               ///< effect of a body around its stems
   std::shared_ptr<const Skeleton> skeleton{};  ///< the finished skeleton
 };

@@ -22,7 +22,7 @@ Skeleton straight_stem(const StemParameters& form, const Site& site) {
 /// These depend only on lengths, not on the stem's bends.
 std::vector<StemBend> deflections(const Tree& tree, const Site& site, const InstanceContext& instance,
                                   const StemSink& stems) {
-  Placement outward = tree.branching;
+  BranchPlacement outward = tree.branching;
   outward.angle = kPi / 2;
   outward.angle_tip.reset();
   outward.face.reset();
@@ -46,8 +46,8 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Inst
 MinimumCounts minimum_counts(const Tree& tree, const KnownMembers& known) {
   MinimumCounts counts{.children = 1};
   if (!known.varies(member_of(tree, &Tree::stem, &StemParameters::segments))) counts.nodes = tree.stem.segments + 1.0;
-  const Placement& own = tree.branching;
-  const Placement plain;
+  const BranchPlacement& own = tree.branching;
+  const BranchPlacement plain;
   const bool varies = known.varies(member_of(tree, &Tree::stem, &StemParameters::length)) ||
                       known.varies(member_of(tree, &Tree::branching));
   counts.bears_along = tree.stem.length > 0 && !varies && !own.where && own.spread == plain.spread &&

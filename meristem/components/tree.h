@@ -11,9 +11,9 @@ namespace meristem {
 /// joined to it as branches.
 struct Tree : ComponentBase {
   StemParameters stem;
-  double deflection = 0;  ///< bend of the stem away from each of its branches, radians
-  Placement branching;    ///< default positions of branches, for links without their own
-  Surface surface;
+  double deflection = 0;      ///< bend of the stem away from each of its branches, radians
+  BranchPlacement branching;  ///< default positions of branches, for links without their own
+  SurfaceOptions surface;
   TrimMode trim = TrimMode::cut;  ///< effect of a body around its stems
 };
 

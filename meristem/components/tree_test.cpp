@@ -8,7 +8,8 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
@@ -183,7 +184,7 @@ TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
   const Plant plant = builder.link("trunk", "twig", LinkKind::branch).grow();
   const Skeleton& tree = plant.stems.at(0).skeleton;
   // Straight pieces between bends of 30 degrees, each away from the twig at the bend.
-  const Axes axes(tree);
+  const SkeletonAxes axes(tree);
   std::vector<Vec3> directions;
   for (const NodeIndex node : axes.of(0).subspan(1)) {
     const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];

@@ -7,7 +7,8 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 #include "tests/support/check_skeleton.h"
@@ -41,7 +42,7 @@ float highest(const Plant& plant) {
 
 std::size_t axes_of(const Plant& plant) {
   std::size_t count = 0;
-  for (const Stem& stem : plant.stems) count += Axes(stem.skeleton).count();
+  for (const Stem& stem : plant.stems) count += SkeletonAxes(stem.skeleton).count();
   return count;
 }
 
@@ -53,7 +54,7 @@ TEST(Trim, CutsStemsOffAtTheBoundaryAndWhatHangsBeyond) {
   EXPECT_EQ(axes_of(whole), 9U);
   std::size_t below = 0;
   for (const Stem& stem : whole.stems) {
-    const Axes axes(stem.skeleton);
+    const SkeletonAxes axes(stem.skeleton);
     for (AxisIndex axis = 1; axis < axes.count(); ++axis) {
       if (stem.skeleton.position[stem.skeleton.parent[axes.of(axis)[0]]].y < 2.1F) ++below;
     }
@@ -79,7 +80,7 @@ TEST(Trim, StemsThatFitTaperToTheBoundaryAndBearAllTheirBranches) {
   ASSERT_TRUE(check_skeleton(stem));
   EXPECT_EQ(axes_of(fit), 9U);
   EXPECT_NEAR(highest(fit), 2.1, 0.02);
-  const Axes axes(stem);
+  const SkeletonAxes axes(stem);
   const NodeIndex tip = axes.of(0).back();
   EXPECT_NEAR(stem.position[tip].y, 2.1, 1e-3);
   EXPECT_NEAR(stem.radius[tip], 0.015, 1e-6);  // like the tip of the whole stem

@@ -23,7 +23,7 @@ const ParameterTable& avoid_table() {
 void expand(const World& world, const Site& site, const InstanceContext& instance, SiteSink& sites) {
   Surroundings said = instance.surroundings();
   const Directions above = world.off ? instance.scene().directions() : instance.directions();
-  const auto sense = [&](const Sense& there, const std::optional<WorldField>& form, const char* name) {
+  const auto sense = [&](const FieldSense& there, const std::optional<WorldField>& form, const char* name) {
     if (!form) return there;
     const FieldPlace place{.frame = site.frame,
                            .time = instance.time(),

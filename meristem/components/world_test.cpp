@@ -93,7 +93,7 @@ TEST(World, TurnedWithThePlantItTurnsThePlant) {
   Object turned_world = world;
   turned_world.emplace_back("frame", Object{{"translate", vector(3, 1, -2)}, {"rotate", vector(20, 50, -70)}});
   const Plant turned = in_world(turned_world, "tree", stem).grow();
-  Transform transform;
+  InstanceTransform transform;
   transform.translate = {3, 1, -2};
   transform.rotate = {static_cast<float>(radians(20)), static_cast<float>(radians(50)),
                       static_cast<float>(radians(-70))};

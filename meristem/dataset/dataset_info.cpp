@@ -129,8 +129,8 @@ DatasetInfo info_of(const DatasetPlan& plan) {
 
 std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
   const std::string path = dataset_info_path(folder);
-  std::error_code error;
-  if (!fs::exists(path, error)) return std::nullopt;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return std::nullopt;
   const auto wrong = [&path](std::string what) {
     return InputError(
         Diagnostic{.message = std::move(what), .expected = "the dataset.json of a data set", .file = path});
@@ -141,10 +141,10 @@ std::optional<DatasetInfo> read_dataset_info(const std::string& folder) {
     text = read_text_file(path);
     value = parse_json(text);
   } catch (const InputError& error) {
-    Diagnostic told = error.diagnostics().front();
-    told.file = path;
-    told.expected = "the dataset.json of a data set";
-    throw InputError(std::move(told));
+    Diagnostic diagnostic = error.diagnostics().front();
+    diagnostic.file = path;
+    diagnostic.expected = "the dataset.json of a data set";
+    throw InputError(std::move(diagnostic));
   }
   const std::uint64_t format = count_member(value, "meristem_dataset_folder");
   if (format < 1) throw wrong("this is not what a data set says of itself");

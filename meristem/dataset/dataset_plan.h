@@ -36,14 +36,14 @@ using PathValues = std::vector<std::pair<std::string, Value>>;
 
 /// A document of a plan.
 struct PlannedDocument {
-  std::string name;                                     ///< unique within the plan, and usable in file names
-  PathValues set;                                       ///< values for all plants of this document
-  DocumentBundle bundle;                                ///< its text and the files that it names, by content
-  std::string file;                                     ///< path of the file that was read
-  std::vector<std::pair<std::string, Variation>> vary;  ///< distributions, limited to the ranges of the document's own
-                                                        ///< variables
-  std::string title;                                    ///< the document's own name
-  std::string licence;                                  ///< the document's own licence
+  std::string name;                                          ///< unique within the plan, and usable in file names
+  PathValues set;                                            ///< values for all plants of this document
+  DocumentBundle bundle;                                     ///< its text and the files that it names, by content
+  std::string file;                                          ///< path of the file that was read
+  std::vector<std::pair<std::string, ValueVariation>> vary;  ///< distributions, limited to the ranges of the document's
+                                                             ///< own variables
+  std::string title;                                         ///< the document's own name
+  std::string licence;                                       ///< the document's own licence
 };
 
 /// Pictures of each plant. The views and the angles determine the camera.
@@ -64,9 +64,9 @@ struct PicturePlan {
   bool coco = false;                ///< true: annotations in the format of COCO
   /// Fixed views, azimuth and altitude in degrees. Empty if the views are random.
   std::vector<std::pair<double, double>> fixed_views{};
-  int drawn_views = 0;                     ///< number of random views; 0 without fixed views: the document's camera
-  Variation azimuth{.numbers = {0, 360}};  ///< degrees, drawn for each view
-  Variation altitude{.numbers = {0, 30}};  ///< degrees, drawn for each view
+  int drawn_views = 0;  ///< number of random views; 0 without fixed views: the document's camera
+  ValueVariation azimuth{.numbers = {0, 360}};  ///< degrees, drawn for each view
+  ValueVariation altitude{.numbers = {0, 30}};  ///< degrees, drawn for each view
 
   int view_count() const;  ///< number of pictures of each plant
 };

@@ -27,7 +27,7 @@ void read_fixed_views(const Value::List& views, const DocumentPath& path, Parame
     const Value::List* const pair = views[k].list();
     const bool is_pair = pair != nullptr && pair->size() == 2 && (*pair)[0].number() != nullptr &&
                          (*pair)[1].number() != nullptr &&
-                         seen_from(View(), *(*pair)[0].number(), *(*pair)[1].number());
+                         seen_from(CameraView(), *(*pair)[0].number(), *(*pair)[1].number());
     if (is_pair) {
       pictures.fixed_views.emplace_back(*(*pair)[0].number(), *(*pair)[1].number());
     } else {

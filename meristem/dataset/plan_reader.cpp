@@ -36,14 +36,14 @@ constexpr std::size_t kMaxTries = 200;  // number of values that are tried on a 
 constexpr char kFromPlan = '\x1f';      // begins the name of a value that the plan sets; the value's path follows
 
 /// Adds values of a plan as overrides of a document. The name of each override is its position in the plan.
-void add_overrides(const PathValues& values, const std::string& place, std::vector<Override>& overrides) {
+void add_overrides(const PathValues& values, const std::string& place, std::vector<ValueOverride>& overrides) {
   for (const auto& [path, value] : values) overrides.push_back({path, value, kFromPlan + place + "." + path});
 }
 
 class PlanReader {
  public:
   PlanReader(const std::string& text, const std::string& file, const Registry& registry, const PlanOptions& options)
-      : text_(text), file_(file), registry_(registry), options_(options), reader_({}, Limits()) {}
+      : text_(text), file_(file), registry_(registry), options_(options), reader_({}, SizeLimits()) {}
 
   DatasetPlan run() {
     plan_.tree = parse_json_of(text_, file_);
@@ -310,12 +310,12 @@ class PlanReader {
         const DocumentFile found = path_of(document.file);
         one.file = found.file;
         one.root = found.root;
-        if (std::error_code error; !fs::exists(one.file, error)) read_file(one.file, Limits().file_bytes);
+        if (std::error_code ignored; !fs::exists(one.file, ignored)) read_file(one.file, SizeLimits().file_bytes);
         one.text = read_text_file(one.file);
       } catch (const InputError& error) {
-        const Diagnostic& error = error.diagnostics().front();
-        const fs::path nearest = fs::path(error.nearest).lexically_relative(fs::path(file_).parent_path());
-        reader_.add_error(own, error.message, error.expected, nearest.empty() ? error.nearest : nearest.string());
+        const Diagnostic& first = error.diagnostics().front();
+        const fs::path nearest = fs::path(first.nearest).lexically_relative(fs::path(file_).parent_path());
+        reader_.add_error(own, first.message, first.expected, nearest.empty() ? first.nearest : nearest.string());
         continue;
       } catch (const MachineError& error) {
         reader_.add_error(own, error.what(), "a document, or the name of a shipped model");
@@ -367,8 +367,8 @@ class PlanReader {
   }
 
   /// Limits a distribution without bounds of its own to the range of the document's variable.
-  void bound(const std::string& path, Variation& variation, const Document& document) {
-    const bool is_bounded = variation.low || variation.kind == Variation::Kind::choice;
+  void bound(const std::string& path, ValueVariation& variation, const Document& document) {
+    const bool is_bounded = variation.low || variation.kind == ValueVariation::Kind::choice;
     for (const Variable& variable : document.variables) {
       if (is_bounded || variable.name != path || !(variable.min < variable.max)) continue;
       const Value* const said = document.source.tree.find("variables")->find(path);
@@ -385,8 +385,8 @@ class PlanReader {
   }
 
   /// Returns the first value of everything. Each override is named by its position in the plan.
-  std::vector<Override> first_values() const {
-    std::vector<Override> overrides;
+  std::vector<ValueOverride> first_values() const {
+    std::vector<ValueOverride> overrides;
     add_overrides(plan_.set, "set", overrides);
     for (const auto& [path, values] : plan_.grid) {
       overrides.push_back({path, values[0], fmt::format("{}grid.{}[0]", kFromPlan, path)});
@@ -396,12 +396,12 @@ class PlanReader {
   }
 
   /// Returns the document with these values. Reports faults and returns nothing if there are any.
-  std::optional<Document> tried(const Named& named, const PlannedDocument& planned, std::vector<Override> values) {
-    std::vector<Override> overrides;
+  std::optional<Document> tried(const Named& named, const PlannedDocument& planned, std::vector<ValueOverride> values) {
+    std::vector<ValueOverride> overrides;
     add_overrides(planned.set, named.place + ".set", overrides);
     // A later value replaces an earlier value of an equal path.
-    for (Override& value : values) {
-      std::erase_if(overrides, [&](const Override& earlier) { return earlier.path == value.path; });
+    for (ValueOverride& value : values) {
+      std::erase_if(overrides, [&](const ValueOverride& earlier) { return earlier.path == value.path; });
       overrides.push_back(std::move(value));
     }
     try {
@@ -440,8 +440,8 @@ class PlanReader {
     std::size_t tries = 0;
     const auto attempt = [&](const std::string& path, const Value& value, const std::string& place) {
       if (tries++ >= kMaxTries) return;
-      std::vector<Override> values = first_values();
-      std::erase_if(values, [&](const Override& other) { return other.path == path; });
+      std::vector<ValueOverride> values = first_values();
+      std::erase_if(values, [&](const ValueOverride& other) { return other.path == path; });
       values.push_back({path, value, kFromPlan + place});
       tried(named, planned, std::move(values));
     };
@@ -452,7 +452,7 @@ class PlanReader {
       for (std::size_t k = 1; k < values.size(); ++k) attempt(path, values[k], fmt::format("grid.{}[{}]", path, k));
     }
     for (std::size_t k = 1; k < plan_.samples.size() && tries < kMaxTries; ++k, ++tries) {
-      std::vector<Override> values;
+      std::vector<ValueOverride> values;
       add_overrides(plan_.set, "set", values);
       add_overrides(plan_.samples[k], fmt::format("samples[{}]", k), values);
       tried(named, planned, std::move(values));
@@ -518,9 +518,9 @@ class PlanReader {
   const DocumentPath top_;
   DatasetPlan plan_;
   PlanHead head_;
-  std::vector<std::pair<std::string, Variation>> vary_;  // as in the plan
-  std::vector<Diagnostic> own_;                          // faults of values, by their positions in the plan
-  std::vector<Diagnostic> others_;                       // faults in documents
+  std::vector<std::pair<std::string, ValueVariation>> vary_;  // as in the plan
+  std::vector<Diagnostic> own_;                               // faults of values, by their positions in the plan
+  std::vector<Diagnostic> others_;                            // faults in documents
 };
 
 }  // namespace

@@ -27,6 +27,22 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kPlantsPerFolder = 1000;
 
+/// Throws MachineError with the reason why a folder cannot be read or cleared.
+[[noreturn]] void throw_of_folder(const std::string& folder, const std::error_code& problem) {
+  throw MachineError(fmt::format("{}: {}", folder, problem.message()));
+}
+
+/// Returns the names of the files in a folder, sorted. Throws MachineError.
+std::vector<std::string> names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    names.push_back(at->path().filename().string());
+  if (problem) throw_of_folder(folder, problem);
+  std::ranges::sort(names);
+  return names;
+}
+
 /// Returns true if any of the named measures has the flag.
 bool has_any(const std::vector<std::string>& measures, bool MeasureRow::*flag) {
   return std::ranges::any_of(measure_rows(), [&](const MeasureRow& row) {
@@ -57,7 +73,7 @@ std::vector<MeasureValue> measured(const DatasetPlan& plan, const Document& docu
     if (has_meshes) complete_growth(document, grown, progress, options);
     if (!has_meshes) paint_plant(document, grown.plant, progress, options.cache);
   }
-  const Limits& limits = document.graph.limits;
+  const SizeLimits& limits = document.graph.limits;
   const MeasureOptions measures{.organ_light = has_any(plan.measures, &MeasureRow::needs_light)};
   StandMeasures stand = has_meshes
                             ? measure_plant(grown.plant, limits, grown.meshes, document.scene, measures, progress)
@@ -130,7 +146,7 @@ Document PlantMaker::document_of(const PlannedPlant& plant) const {
   ReadOptions options{.seed = plant.seed, .time = plan_.time, .store = &kept_->files, .models = folders_.models};
   for (const PathValues* values : std::initializer_list<const PathValues*>{&planned.set, &plan_.set, &plant.values}) {
     for (const auto& [path, value] : *values) {
-      std::erase_if(options.overrides, [&name = path](const Override& earlier) { return earlier.path == name; });
+      std::erase_if(options.overrides, [&name = path](const ValueOverride& earlier) { return earlier.path == name; });
       options.overrides.push_back({path, value, ""});
     }
   }
@@ -173,18 +189,18 @@ MadePlant PlantMaker::make(std::uint64_t number, const std::string& folder, Prog
   } catch (const InputError& error) {
     made.measures.clear();
     made.error = relative(line_of(error));
-    for (const fs::directory_entry& left : fs::directory_iterator(folder)) fs::remove(left.path());
+    for (const std::string& name : names_in(folder)) {
+      std::error_code problem;
+      fs::remove(fs::path(folder) / name, problem);
+      if (problem) throw_of_folder(folder, problem);
+    }
     return made;
   } catch (const std::bad_alloc&) {
     throw MachineError(
         fmt::format("memory has run out at the plant {}; fewer threads or processes need less", made.plant.key));
   }
   const std::string below = plant_folder(made.plant) + "/";
-  std::vector<std::string> names;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder))
-    names.push_back(file.path().filename().string());
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) made.files.push_back(file_in(fs::path(folder) / name, below + name));
+  for (const std::string& name : names_in(folder)) made.files.push_back(file_in(fs::path(folder) / name, below + name));
   return made;
 }
 

@@ -19,7 +19,8 @@ struct DocumentFolders {
   std::string models{};   ///< folder of shipped models, which documents may name
 };
 
-/// Writes the documents of a plan, with the files that they name, below a folder. Throws MachineError.
+/// Writes the documents of a plan, with the files that they name, below a folder. Creates missing folders. Replaces
+/// existing files whose content differs. Throws MachineError.
 void unpack_documents(const DatasetPlan& plan, const std::string& folder);
 
 /// Returns the path of a document's file after unpack_documents.
@@ -38,9 +39,10 @@ class PlantMaker {
   /// Returns the document with the values and the seed of a plant. Throws InputError.
   Document document_of(const PlannedPlant& plant) const;
 
-  /// Makes the plant with this number. Its files are written to `folder`, which must exist and be empty, with their
-  /// paths in the data set. If the plant's values are not allowed, MadePlant::error has the reason. Throws
-  /// MachineError, Cancelled.
+  /// Makes the plant with this number. Its files are written to `folder`, which must exist and be empty.
+  /// MadePlant::files lists them by name, with their paths in the data set. If the plant's values are not allowed,
+  /// MadePlant::error has the reason, and there are no files and no measures. Throws std::invalid_argument for a number
+  /// that is not below DatasetPlan::count(), MachineError, Cancelled.
   MadePlant make(std::uint64_t number, const std::string& folder, Progress& progress);
 
  private:
@@ -56,7 +58,8 @@ class PlantMaker {
   std::unique_ptr<Kept> kept_;
 };
 
-/// Returns the folder of a plant's files, below the data set: "plants/0000".
+/// Returns the folder of a plant's files, below the data set. A folder has the files of 1000 plants: "plants/0000" of
+/// the plants 0 to 999, "plants/0001" of the next 1000.
 std::string plant_folder(const PlannedPlant& plant);
 
 }  // namespace meristem

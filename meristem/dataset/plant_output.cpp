@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "meristem/output/formats.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/scan/scan_request.h"
 #include "meristem/output/scan/scan_files.h"
-#include "meristem/output/scan/scan_request.h"
 
 namespace meristem {
 
@@ -33,7 +33,7 @@ PlantOutput scan_output(const ScanFormat& format) {
 
 std::vector<PlantOutput> all_plant_outputs() {
   std::vector<PlantOutput> outputs;
-  for (const Format& format : formats()) {
+  for (const FileFormat& format : formats()) {
     outputs.push_back({.ending = std::string(format.ending),
                        .doc = std::string(format.doc),
                        .needs = format.needs,

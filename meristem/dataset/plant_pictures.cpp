@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "meristem/components/camera.h"
-#include "meristem/output/picture/picture.h"
-#include "meristem/output/picture/truth_files.h"
+#include "meristem/export/picture/picture.h"
+#include "meristem/export/picture/truth_files.h"
 #include "meristem/output/write/picture_file.h"
 
 namespace meristem {
@@ -18,8 +18,8 @@ namespace meristem {
 namespace {
 
 /// Returns the view with this number, among the views of a plant.
-View view_of(const PicturePlan& pictures, const PlannedPlant& plant, const Document& document, int number) {
-  View view = camera_view(document.graph);
+CameraView view_of(const PicturePlan& pictures, const PlannedPlant& plant, const Document& document, int number) {
+  CameraView view = camera_view(document.graph);
   if (pictures.fixed_views.empty() && pictures.drawn_views == 0) return view;
   double azimuth = 0;
   double altitude = 0;
@@ -61,7 +61,7 @@ void write_plant_pictures(const DatasetPlan& plan, const PlannedPlant& plant, co
   const int count = pictures.view_count();
   for (int k = 0; k < count; ++k) {
     const std::string path = count == 1 ? base : fmt::format("{}_{:0{}}", base, k, std::to_string(count - 1).size());
-    const View view = view_of(pictures, plant, document, k);
+    const CameraView view = view_of(pictures, plant, document, k);
     std::string picture;
     if (pictures.colour != PicturePlan::Colour::none) {
       picture = path + (pictures.colour == PicturePlan::Colour::png ? ".png" : ".jpg");

@@ -39,56 +39,56 @@ constexpr std::uint64_t kMaxDraws = 10'000;
 
 double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
-double share_below(const Variation& variation, double x) {
+double share_below(const ValueVariation& variation, double x) {
   const std::vector<double>& n = variation.numbers;
   const auto along = [](double at, double low, double high) {
     return high > low ? std::clamp((at - low) / (high - low), 0.0, 1.0) : at >= low ? 1.0 : 0.0;
   };
   switch (variation.kind) {
-    case Variation::Kind::uniform:
+    case ValueVariation::Kind::uniform:
       return along(x, n[0], n[1]);
-    case Variation::Kind::log_uniform:
+    case ValueVariation::Kind::log_uniform:
       return x > 0 ? along(std::log(x), std::log(n[0]), std::log(n[1])) : 0;
-    case Variation::Kind::normal:
+    case ValueVariation::Kind::normal:
       return n[1] > 0 ? normal_share_below((x - n[0]) / n[1]) : along(x, n[0], n[0]);
-    case Variation::Kind::lognormal:
+    case ValueVariation::Kind::lognormal:
       return x > 0 ? normal_share_below(std::log(x / n[0]) / n[1]) : 0;
-    case Variation::Kind::triangular: {
+    case ValueVariation::Kind::triangular: {
       if (!(n[2] > n[0])) return along(x, n[0], n[0]);
       const double at = std::clamp(x, n[0], n[2]);
       if (at < n[1]) return (at - n[0]) * (at - n[0]) / ((n[2] - n[0]) * (n[1] - n[0]));
       if (n[2] == n[1]) return 1;
       return 1 - (n[2] - at) * (n[2] - at) / ((n[2] - n[0]) * (n[2] - n[1]));
     }
-    case Variation::Kind::integer:
+    case ValueVariation::Kind::integer:
       return along(std::floor(x) + 1, n[0], n[1] + 1);
-    case Variation::Kind::choice:
+    case ValueVariation::Kind::choice:
       return 1;
   }
   return 1;
 }
 
-double draw_number(const Variation& variation, RandomKey key, std::uint64_t draw) {
+double draw_number(const ValueVariation& variation, RandomKey key, std::uint64_t draw) {
   const std::vector<double>& n = variation.numbers;
   switch (variation.kind) {
-    case Variation::Kind::uniform:
+    case ValueVariation::Kind::uniform:
       return n[0] + (n[1] - n[0]) * key.uniform(draw);
-    case Variation::Kind::log_uniform:
+    case ValueVariation::Kind::log_uniform:
       return n[0] * math::exp(math::log(n[1] / n[0]) * key.uniform(draw));
-    case Variation::Kind::normal:
+    case ValueVariation::Kind::normal:
       return n[0] + n[1] * key.normal(draw);
-    case Variation::Kind::lognormal:
+    case ValueVariation::Kind::lognormal:
       return n[0] * math::exp(n[1] * key.normal(draw));
-    case Variation::Kind::triangular: {
+    case ValueVariation::Kind::triangular: {
       if (!(n[2] > n[0])) return n[0];
       const double share = key.uniform(draw);
       const double turn = (n[1] - n[0]) / (n[2] - n[0]);
       if (share < turn) return n[0] + std::sqrt(share * (n[2] - n[0]) * (n[1] - n[0]));
       return n[2] - std::sqrt((1 - share) * (n[2] - n[0]) * (n[2] - n[1]));
     }
-    case Variation::Kind::integer:
+    case ValueVariation::Kind::integer:
       return n[0] + std::floor(key.uniform(draw) * (n[1] - n[0] + 1));
-    case Variation::Kind::choice:
+    case ValueVariation::Kind::choice:
       break;
   }
   return 0;
@@ -107,29 +107,29 @@ std::optional<std::vector<double>> finite_numbers(const Value& value, std::size_
 }
 
 /// Returns true if the numbers are valid for the kind.
-bool are_right(Variation::Kind kind, const std::vector<double>& n) {
+bool are_right(ValueVariation::Kind kind, const std::vector<double>& n) {
   switch (kind) {
-    case Variation::Kind::uniform:
+    case ValueVariation::Kind::uniform:
       return n[0] <= n[1];
-    case Variation::Kind::log_uniform:
+    case ValueVariation::Kind::log_uniform:
       return n[0] > 0 && n[0] <= n[1];
-    case Variation::Kind::normal:
+    case ValueVariation::Kind::normal:
       return n[1] >= 0;
-    case Variation::Kind::lognormal:
+    case ValueVariation::Kind::lognormal:
       return n[0] > 0 && n[1] > 0;
-    case Variation::Kind::triangular:
+    case ValueVariation::Kind::triangular:
       return n[0] <= n[1] && n[1] <= n[2];
-    case Variation::Kind::integer:
+    case ValueVariation::Kind::integer:
       return n[0] <= n[1] && n[0] == std::floor(n[0]) && n[1] == std::floor(n[1]) && std::abs(n[0]) < 1e15 &&
              std::abs(n[1]) < 1e15;
-    case Variation::Kind::choice:
+    case ValueVariation::Kind::choice:
       return true;
   }
   return false;
 }
 
 bool read_choices(const Value& whole, const Value& choices, const DocumentPath& path, ParameterReader& reader,
-                  Variation& variation) {
+                  ValueVariation& variation) {
   const Value::List* const list = choices.list();
   if (list == nullptr || list->empty()) {
     reader.add_error(DocumentPath(path, "choice"), fmt::format("the choices are {}", choices.description()),
@@ -153,7 +153,7 @@ bool read_choices(const Value& whole, const Value& choices, const DocumentPath& 
 
 }  // namespace
 
-Value Variation::draw(RandomKey key) const {
+Value ValueVariation::draw(RandomKey key) const {
   if (kind == Kind::choice) {
     double rest = key.uniform(0);
     if (weights.empty()) return choices[static_cast<std::size_t>(rest * static_cast<double>(choices.size()))];
@@ -176,7 +176,7 @@ Value Variation::draw(RandomKey key) const {
   return low && number < *low ? *low : high.value_or(number);
 }
 
-double Variation::share_within() const {
+double ValueVariation::share_within() const {
   if (kind == Kind::choice) return 1;
   // A distribution without width lies entirely within or outside the bounds.
   const bool is_point =
@@ -186,7 +186,7 @@ double Variation::share_within() const {
   return (high ? share_below(*this, *high) : 1) - below_low;
 }
 
-std::vector<Value> Variation::ends() const {
+std::vector<Value> ValueVariation::ends() const {
   if (kind == Kind::choice) return choices;
   std::optional<double> first = low;
   std::optional<double> last = high;
@@ -201,11 +201,11 @@ std::vector<Value> Variation::ends() const {
   return ends;
 }
 
-bool Variation::is_number() const {
+bool ValueVariation::is_number() const {
   return std::all_of(choices.begin(), choices.end(), [](const Value& value) { return value.number() != nullptr; });
 }
 
-std::optional<Variation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader) {
+std::optional<ValueVariation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader) {
   std::vector<std::string> names;
   for (const VariationForm& form : kVariationForms) names.emplace_back(form.name);
   const std::string expected =
@@ -215,12 +215,12 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
     return std::nullopt;
   }
   std::size_t kinds = 0;
-  Variation variation;
+  ValueVariation variation;
   for (const auto& [name, member] : *value.object()) {
     const auto known = std::find(names.begin(), names.end(), name);
     if (known != names.end()) {
       ++kinds;
-      variation.kind = static_cast<Variation::Kind>(known - names.begin());
+      variation.kind = static_cast<ValueVariation::Kind>(known - names.begin());
     } else if (name != "within" && name != "weights") {
       std::vector<std::string> all = names;
       all.insert(all.end(), {"within", "weights"});
@@ -236,7 +236,7 @@ std::optional<Variation> read_variation(const Value& value, const DocumentPath& 
   }
   const VariationForm& form = kVariationForms.at(static_cast<std::size_t>(variation.kind));
   const Value& given = *value.find(form.name);
-  const bool chooses = variation.kind == Variation::Kind::choice;
+  const bool chooses = variation.kind == ValueVariation::Kind::choice;
   if (const Value* weights = value.find("weights"); weights != nullptr && !chooses) {
     reader.error_name(DocumentPath(path, "weights"), "weights belong to choices", "\"choice\" beside \"weights\"", "");
     return std::nullopt;

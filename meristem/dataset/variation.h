@@ -15,7 +15,7 @@
 namespace meristem {
 
 /// A distribution. Numbers are drawn until one lies between `low` and `high`.
-struct Variation {
+struct ValueVariation {
   /// The kind of distribution, and the meaning of its `numbers`.
   enum class Kind {
     uniform,      ///< lower and upper end
@@ -45,6 +45,6 @@ struct Variation {
 
 /// Reads {"normal": [0.1, 0.02], "within": [0.05, 0.2]}, or {"choice": [1, 2, 4], "weights": [3, 2, 1]}. Reports faults
 /// at their positions, and then returns nothing.
-std::optional<Variation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader);
+std::optional<ValueVariation> read_variation(const Value& value, const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

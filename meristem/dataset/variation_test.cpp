@@ -10,8 +10,8 @@
 
 namespace meristem::variation_test {
 
-std::optional<Variation> read(const std::string& text, std::vector<Diagnostic>* errors = nullptr) {
-  ParameterReader reader({}, Limits());
+std::optional<ValueVariation> read(const std::string& text, std::vector<Diagnostic>* errors = nullptr) {
+  ParameterReader reader({}, SizeLimits());
   const DocumentPath top;
   auto variation = read_variation(parse_json(text), DocumentPath(top, "age"), reader);
   if (errors != nullptr) *errors = reader.take_diagnostics();
@@ -19,7 +19,7 @@ std::optional<Variation> read(const std::string& text, std::vector<Diagnostic>* 
 }
 
 std::vector<double> drawn(const std::string& text, std::uint64_t count = 2000) {
-  const Variation variation = read(text).value();
+  const ValueVariation variation = read(text).value();
   std::vector<double> numbers;
   for (std::uint64_t k = 0; k < count; ++k) numbers.push_back(*variation.draw(RandomKey(1).child(k)).number());
   return numbers;
@@ -62,8 +62,8 @@ TEST(Variation, TellsTheShareWithinItsBounds) {
 }
 
 TEST(Variation, ChoosesByWeights) {
-  const Variation plain = *read(R"({"choice": ["a", "b", "c"]})");
-  const Variation weighted = *read(R"({"choice": ["a", "b", "c"], "weights": [1, 0, 3]})");
+  const ValueVariation plain = *read(R"({"choice": ["a", "b", "c"]})");
+  const ValueVariation weighted = *read(R"({"choice": ["a", "b", "c"], "weights": [1, 0, 3]})");
   std::map<std::string, int> of_plain, of_weighted;
   for (std::uint64_t k = 0; k < 2000; ++k) {
     ++of_plain[*plain.draw(RandomKey(2).child(k)).text()];

@@ -43,7 +43,7 @@ struct FoundRow {
 struct WrittenKey {
   double time = 0;
   const Value* value = nullptr;
-  Track::Way way = Track::Way::linear;
+  KeyTrack::Way way = KeyTrack::Way::linear;
 };
 
 constexpr std::size_t kNoElement = SIZE_MAX;
@@ -252,7 +252,7 @@ class KeyReader {
         continue;
       }
       WrittenKey key{.value = &(*parts)[1]};
-      key.way = row.has_values_between() ? Track::Way::linear : Track::Way::step;
+      key.way = row.has_values_between() ? KeyTrack::Way::linear : KeyTrack::Way::step;
       if (!read_time((*parts)[0], DocumentPath(own, std::size_t{0}), key.time)) continue;
       if (parts->size() == 3) read_way(row, (*parts)[2], DocumentPath(own, std::size_t{2}), key.way);
       if (!keys.empty() && !(keys.back().time < key.time)) {
@@ -278,15 +278,15 @@ class KeyReader {
     return false;
   }
 
-  void read_way(const Parameter& row, const Value& value, const DocumentPath& place, Track::Way& way) {
+  void read_way(const Parameter& row, const Value& value, const DocumentPath& place, KeyTrack::Way& way) {
     const auto found = value.text() == nullptr ? kWays.end() : std::ranges::find(kWays, *value.text());
     if (found == kWays.end()) {
       return reader_.add_error(place, fmt::format("{} is not a way between keys", value.description()),
                                "linear, smooth or step",
                                value.text() == nullptr ? "" : reader_.nearest(*value.text(), kWays));
     }
-    way = static_cast<Track::Way>(found - kWays.begin());
-    if (row.has_values_between() || way == Track::Way::step) return;
+    way = static_cast<KeyTrack::Way>(found - kWays.begin());
+    if (row.has_values_between() || way == KeyTrack::Way::step) return;
     reader_.add_error(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
   }
 
@@ -348,20 +348,20 @@ class KeyReader {
 
   Value now(const Value::List& list, bool is_whole) const {
     if (list.empty()) return 0;
-    std::vector<Track::Key> keys;
+    std::vector<KeyTrack::Key> keys;
     for (const Value& key : list) {
       const Value::List& parts = *key.list();
       keys.push_back(
-          {*parts[0].number(), *parts[1].number(), static_cast<Track::Way>(static_cast<int>(*parts[2].number()))});
+          {*parts[0].number(), *parts[1].number(), static_cast<KeyTrack::Way>(static_cast<int>(*parts[2].number()))});
     }
-    const double value = Track(std::move(keys)).at(time_);
+    const double value = KeyTrack(std::move(keys)).at(time_);
     return is_whole ? std::floor(value + 0.5) : value;
   }
 
   /// Returns the colour of the keys at the present time. Colours are interpolated in sRGB, as they are written.
   std::optional<Value> colour_now(const Parameter& row, const std::vector<WrittenKey>& keys,
                                   const DocumentPath& place) {
-    std::array<std::vector<Track::Key>, 3> channels;
+    std::array<std::vector<KeyTrack::Key>, 3> channels;
     for (std::size_t k = 0; k < keys.size(); ++k) {
       Vec3 colour(0);
       const DocumentPath key_place(place, k);
@@ -374,8 +374,8 @@ class KeyReader {
       }
     }
     std::string text = "#";
-    for (std::vector<Track::Key>& channel : channels) {
-      text += fmt::format("{:02x}", static_cast<int>(std::floor(Track(std::move(channel)).at(time_) + 0.5)));
+    for (std::vector<KeyTrack::Key>& channel : channels) {
+      text += fmt::format("{:02x}", static_cast<int>(std::floor(KeyTrack(std::move(channel)).at(time_) + 0.5)));
     }
     return Value(std::move(text));
   }

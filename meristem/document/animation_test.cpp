@@ -16,7 +16,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/batch.h"
-#include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 #include "tests/support/build_graph.h"
 
 namespace meristem::animation_test {

@@ -239,7 +239,7 @@ class CrownFiles : public testing::Test {
     const Document document = read_here(members);
     const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
     Progress progress;
-    const Limits limits;
+    const SizeLimits limits;
     const Scene scene;
     Stand stand;
     const std::string component = "tree";

@@ -36,11 +36,11 @@ namespace meristem {
 namespace {
 
 /// Returns the lower value of each limit.
-Limits within(const Limits& own, const Limits& outer) {
-  Limits both = own;
-  for (std::uint64_t Limits::*const limit :
-       {&Limits::points, &Limits::nodes, &Limits::modules, &Limits::instances, &Limits::triangles, &Limits::mesh_bytes,
-        &Limits::file_bytes, &Limits::picture_pixels, &Limits::texture_pixels}) {
+SizeLimits within(const SizeLimits& own, const SizeLimits& outer) {
+  SizeLimits both = own;
+  for (std::uint64_t SizeLimits::*const limit :
+       {&SizeLimits::points, &SizeLimits::nodes, &SizeLimits::modules, &SizeLimits::instances, &SizeLimits::triangles,
+        &SizeLimits::mesh_bytes, &SizeLimits::file_bytes, &SizeLimits::picture_pixels, &SizeLimits::texture_pixels}) {
     both.*limit = std::min(own.*limit, outer.*limit);
   }
   return both;
@@ -129,7 +129,7 @@ class DocumentReader {
   }
 
  private:
-  std::vector<KeyedParameter> put_keys_of_variables(const Limits& limits) {
+  std::vector<KeyedParameter> put_keys_of_variables(const SizeLimits& limits) {
     const Value* animation = root_->find("animation");
     if (animation == nullptr || animation->find("keys") == nullptr) return {};
     root_ = &own_.emplace(*root_);
@@ -142,7 +142,7 @@ class DocumentReader {
 
   /// Reports the fault of too many variables. Does not read the rest: values that use the variables would be faulty as
   /// well.
-  std::vector<Diagnostic> with_too_many_variables(const Limits& limits) {
+  std::vector<Diagnostic> with_too_many_variables(const SizeLimits& limits) {
     ParameterReader reader({}, limits);
     read_variables(root_->find("variables"), {}, reader);
     take_from(reader);
@@ -192,10 +192,10 @@ class DocumentReader {
     if (hidden_ > 0) diagnostics_.push_back({.message = fmt::format("and {} more faults", hidden_)});
   }
 
-  void read_limits(Limits& limits) {
+  void read_limits(SizeLimits& limits) {
     const Value* given = root_->find("limits");
     if (given == nullptr) return;
-    ParameterReader reader({}, Limits{});
+    ParameterReader reader({}, SizeLimits{});
     reader.read(limits_table(), &limits, *given, DocumentPath(top_, "limits"));
     take_from(reader);
   }
@@ -233,8 +233,11 @@ class DocumentReader {
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
     }
-    graph.components.resize(given->object()->size());
-    for (std::size_t c = 0; c < graph.components.size(); ++c) graph.components[c].id = (*given->object())[c].first;
+    graph.components.reserve(given->object()->size() + 1);  // and a camera
+    for (const auto& member : *given->object()) {
+      reader.check_stop();
+      graph.components.emplace_back().id = member.first;
+    }
     // Components that give names are read before all components that may use the names.
     const auto read_all = [&](bool gives) {
       for (std::size_t c = 0; c < graph.components.size(); ++c) {
@@ -337,7 +340,7 @@ class DocumentReader {
 
   /// Returns a component's value, completed with the rows that it copies from the component that it shows.
   Value with_shown(ParameterReader& reader, Prototype& prototype, const Value& value, const DocumentPath& path) {
-    const Showing& shows = prototype.type->shows;
+    const ShownComponent& shows = prototype.type->shows;
     const Value* of = shows.type.empty() ? nullptr : value.find("of");
     if (of == nullptr || of->text() == nullptr) return value;
     const Typed& typed = components_of_type(shows.type);
@@ -403,7 +406,7 @@ class DocumentReader {
 
 }  // namespace
 
-void Source::place(std::vector<Diagnostic>& diagnostics, const Progress* progress) const {
+void DocumentOrigin::place(std::vector<Diagnostic>& diagnostics, const Progress* progress) const {
   tell_variables(tree, variable_notes, diagnostics);
   locate_diagnostics(text, diagnostics, progress);
   for (Diagnostic& diagnostic : diagnostics) {
@@ -456,7 +459,7 @@ void read_into(Document& document, std::string text, const std::string& file, co
   if (is_outermost) reading.chain = &outermost;
   try {
     Value& root = document.source.tree;
-    Limits of_text;
+    SizeLimits of_text;
     of_text.document_bytes = options.document_bytes;
     root = parse_json(document.source.text, of_text, options.progress);
     if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);

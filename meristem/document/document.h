@@ -52,14 +52,14 @@ struct OutputParameters {
 
 /// One `--set PATH=VALUE`. The path is a variable's name ("age"), a component's parameter ("stem.length"), or a key
 /// ("links[1].density", "scene.latitude", "seed"). A variable takes precedence over a key of its name.
-struct Override {
+struct ValueOverride {
   std::string path;  ///< such as "age" or "stem.length"
-  Value value;       ///< replaces the value in the text
+  Value value;       ///< replaces the value in the text; null removes it
   std::string name;  ///< source of the value in messages, instead of a file; empty: "set PATH"
 };
 
 /// The source of a document, for messages and for editors that change the text.
-struct Source {
+struct DocumentOrigin {
   std::string file;                          ///< the document's name in messages
   std::string text;                          ///< text of the document
   Value tree;                                ///< tree of the text, with the values of the overrides
@@ -72,9 +72,10 @@ struct Source {
                                              ///< each path
   std::vector<VariableNote> variable_notes;  ///< notes of the variables that values depend on
 
-  /// Sets file, line and column of diagnostics with a path: in the text, or in the override that gave the value. Errors
-  /// mention the variables behind the value that were set or lie beyond their ranges. Throws Cancelled soon after
-  /// `progress` was asked to stop. Null: it cannot be stopped.
+  /// Sets the file of all diagnostics to the document, and the line and column of those without a line. If an override
+  /// gave the value, the file is the name of the override, and line and column are 0. Errors mention the variables
+  /// behind the value that were set or lie beyond their ranges. Throws Cancelled soon after `progress` was asked to
+  /// stop. Null: it cannot be stopped.
   void place(std::vector<Diagnostic>& diagnostics, const Progress* progress = nullptr) const;
 };
 
@@ -88,7 +89,7 @@ struct Document {
   Graph graph;                       ///< components and links
   Scene scene;                       ///< light, obstacles, camera and supports
   OutputParameters output;           ///< defaults for pictures and files
-  Source source;                     ///< text and files that the document was read from
+  DocumentOrigin source;             ///< text and files that the document was read from
   std::vector<Diagnostic> warnings;  ///< unusual but valid things in the document
   double time = 0;                   ///< time of the document, seconds; its keys are evaluated at this time
   /// Returns the document at another time. Throws what read_document throws, and Cancelled soon after `progress` was
@@ -101,9 +102,9 @@ struct Document {
 const Document& document_at(const Document& document, double time, std::optional<Document>& other,
                             const Progress* progress = nullptr);
 
-/// Splits "PATH=VALUE". The value is read as JSON if possible, else as text. Throws InputError for texts without '=' or
-/// without a path before it. read_document checks the path itself.
-Override parse_override(std::string_view text);
+/// Splits "PATH=VALUE". The value is read as JSON if possible, else as text. The value `null` removes the key. Throws
+/// InputError for texts without '=' or without a path before it. read_document checks the path itself.
+ValueOverride parse_override(std::string_view text);
 
 /// A chain of documents that name each other, from the last one backwards.
 struct DocumentChain {
@@ -114,9 +115,9 @@ struct DocumentChain {
 
 /// Options for reading a document.
 struct ReadOptions {
-  std::vector<Override> overrides{};    ///< values that replace values of the text
-  std::optional<std::uint64_t> seed{};  ///< seed that replaces the document's
-  double time = 0;                      ///< seconds; keys of the document are evaluated at this time
+  std::vector<ValueOverride> overrides{};  ///< values that replace values of the text
+  std::optional<std::uint64_t> seed{};     ///< seed that replaces the document's
+  double time = 0;                         ///< seconds; keys of the document are evaluated at this time
   /// Folder that limits reading: files outside are not read, even through links and dots, and messages do not disclose
   /// whether they exist. Empty: any file may be read.
   std::string root{};
@@ -127,23 +128,24 @@ struct ReadOptions {
   /// The documents that contain this one, from the innermost outwards. Null for a document that a user opens.
   const DocumentChain* chain = nullptr;
   /// Limits of the document that places this one. They apply in addition to the document's own.
-  std::optional<Limits> within{};
+  std::optional<SizeLimits> within{};
   /// Receives the document paths of all expressions that were read. May be null.
   std::vector<std::string>* expression_paths = nullptr;
   /// Reading stops within 50 ms after this was asked to stop. Null: it cannot be stopped.
   const Progress* progress = nullptr;
   /// Maximum size of the text, bytes. A larger value allows larger documents; the time per byte stays the same.
-  std::uint64_t document_bytes = Limits{}.document_bytes;
+  std::uint64_t document_bytes = SizeLimits{}.document_bytes;
 };
 
 /// Reads a document's text. `file` is the name of the document in messages; relative paths in the document start at the
 /// folder of `file`. Throws one InputError with all faults (up to the limit), each with line, column and document path.
-/// Throws Cancelled if it was asked to stop. Takes time in proportion to the size of the text.
+/// Throws Cancelled if it was asked to stop. `registry` must outlive the document. Takes time in proportion to the size
+/// of the text.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options = {});
 
 /// Reads a whole file, or standard input for "-". Throws MachineError if it cannot be read, InputError if it is larger
 /// than `document_bytes`.
-std::string read_text_file(const std::string& path, std::uint64_t document_bytes = Limits{}.document_bytes);
+std::string read_text_file(const std::string& path, std::uint64_t document_bytes = SizeLimits{}.document_bytes);
 
 }  // namespace meristem

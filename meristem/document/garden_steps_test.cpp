@@ -48,7 +48,7 @@ class GardenSteps : public testing::Test {
     garden_ = read(kGarden);
   }
 
-  Document read(const std::string& text, const std::vector<Override>& overrides = {},
+  Document read(const std::string& text, const std::vector<ValueOverride>& overrides = {},
                 std::optional<std::uint64_t> seed = {}) const {
     return read_document(text, (folder_ / "garden.json").string(), builtin_components(),
                          {.overrides = overrides, .seed = seed});

@@ -10,14 +10,16 @@
 #include <utility>
 
 #include "meristem/base/large_memory.h"
+#include "meristem/components/organize.h"
 #include "meristem/document/obstacle_warnings.h"
 #include "meristem/document/placing_errors.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/cached_meshes.h"
-#include "meristem/shape/ray_meshes.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/assembly/ray_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 
 namespace meristem {
 
@@ -105,6 +107,12 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
     return expand(document.graph, document.scene, options.time, progress, expansion);
   });
   grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
+  for (const Prototype& component : document.graph.components) {
+    if (!leans_in_vain(component, document.scene.light)) continue;
+    grown.warnings.push_back({.severity = Severity::warning,
+                              .message = "'lean' has no effect: the light of the scene comes from straight above",
+                              .path = "components." + component.id + ".light.lean"});
+  }
   document.source.place(grown.warnings);
   if (options.keeps_plant || options.up_to < GrownPart::meshes) {
     complete_growth(document, grown, progress, options);
@@ -135,7 +143,7 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
   if (has_plantings(plant)) VariantPainter(progress).paint(plant.plantings);
 }
 
-MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
+MeshScene mesh_detail(const Document& document, const Plant& plant, const MeshDetail& detail, Progress& progress,
                       GrowthCache* cache) {
   return placing_errors(document,
                         [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail, cache); });

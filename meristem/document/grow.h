@@ -8,9 +8,9 @@
 #include "meristem/document/document.h"
 #include "meristem/graph/growth_traces.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/geometry_count.h"
-#include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/view_meshes.h"
+#include "meristem/shape/assembly/geometry_count.h"
+#include "meristem/shape/assembly/view_meshes.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -40,7 +40,7 @@ using GrowthCache = Cache;
 /// The numbers of results of one kind that the last growth with a cache made and reused.
 struct ReuseCount {
   const char* what;  ///< in the plural: "instances"
-  Reuse count;       ///< results made and reused
+  CacheReuse count;  ///< results made and reused
 };
 
 /// Returns the reuse of each kind of result, in the order in which growth makes the kinds. A kind that the growth did
@@ -50,7 +50,7 @@ std::vector<ReuseCount> reuse_of(const GrowthCache& cache);
 /// Options of a growth: its time, its last stage, its detail and its view.
 struct GrowthOptions {
   double time = 0;                        ///< time of the document, seconds
-  Detail detail{};                        ///< how coarse the meshes are
+  MeshDetail detail{};                    ///< how coarse the meshes are
   GrownPart up_to = GrownPart::textures;  ///< the last stage that is made
   GrowthCache* cache = nullptr;           ///< results of the last growth; null: nothing is reused
   GrowthView view;                        ///< the step of growth that is shown, and what is recorded of growth
@@ -76,7 +76,7 @@ void paint_plant(const Document& document, Plant& plant, Progress& progress, Gro
 /// Returns the meshes of a level of detail of a plant that has grown from the document, without a new growth. They
 /// equal the meshes that grow_document gives for the level, with the plant's textures. Throws what grow_document
 /// throws.
-MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
+MeshScene mesh_detail(const Document& document, const Plant& plant, const MeshDetail& detail, Progress& progress,
                       GrowthCache* cache = nullptr);
 
 /// Returns the meshes for rays (ray_meshes.h) of a plant that has grown from the document, at level 0.

@@ -21,7 +21,7 @@ constexpr const char* kTree = R"j({
   "links": [{"from": "tree", "to": "leaf", "kind": "branch", "density": 30, "angle_spread": 20}]
 })j";
 
-Document read(const std::string& text, const std::vector<Override>& overrides = {}) {
+Document read(const std::string& text, const std::vector<ValueOverride>& overrides = {}) {
   return read_document(text, "tree.json", builtin_components(), {.overrides = overrides});
 }
 
@@ -45,7 +45,7 @@ std::string hash_of(const Document& document) {
   return hash128_hex(bytes);
 }
 
-std::string error_of(const std::string& text, const std::vector<Override>& overrides = {}) {
+std::string error_of(const std::string& text, const std::vector<ValueOverride>& overrides = {}) {
   const Document document = read(text, overrides);
   try {
     Progress progress;

@@ -10,7 +10,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
 #include "meristem/graph/batch.h"
-#include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +31,7 @@ constexpr const char* kTwoTrees = R"j({
 
 Document read(const std::string& text, const std::vector<std::string>& overrides = {},
               const std::string& file = "test.json") {
-  std::vector<Override> parsed;
+  std::vector<ValueOverride> parsed;
   for (const std::string& each : overrides) parsed.push_back(parse_override(each));
   return read_document(text, file, builtin_components(), {.overrides = parsed});
 }

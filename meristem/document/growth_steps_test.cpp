@@ -10,6 +10,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/build_graph.h"
 
 namespace meristem::growth_steps_test {
@@ -59,7 +60,7 @@ constexpr const char* kMarkers = R"j({
 })j";
 
 Document read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  std::vector<Override> parsed;
+  std::vector<ValueOverride> parsed;
   for (const std::string& each : overrides) parsed.push_back(parse_override(each));
   return read_document(text, "test.json", builtin_components(), {.overrides = parsed});
 }

@@ -8,6 +8,7 @@
 
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 
 namespace meristem::individuals_test {
 

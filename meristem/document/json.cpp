@@ -49,7 +49,7 @@ Diagnostic syntax_error(std::string_view what) {
 /// Builds the tree from the parser's events without recursion. Stops at the first fault.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, const Limits& limits, const Progress* progress)
+  TreeBuilder(std::string_view text, const SizeLimits& limits, const Progress* progress)
       : text_(text), limits_(limits), progress_(progress) {}
 
   bool null() override { return add(Value()); }
@@ -184,7 +184,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   std::string_view text_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   const Progress* progress_;
   std::size_t added_ = 0;
   Value root_;
@@ -195,7 +195,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
-Value parse_json(std::string_view text, const Limits& limits, const Progress* progress) {
+Value parse_json(std::string_view text, const SizeLimits& limits, const Progress* progress) {
   if (text.size() > limits.document_bytes) {
     throw InputError(Diagnostic{.message = fmt::format("the text has {} bytes", text.size()),
                                 .expected = fmt::format("at most {}", limits.document_bytes)});

@@ -14,7 +14,7 @@ namespace meristem {
 /// fault of form. Such faults are bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000
 /// bytes long, and nesting or size past the limits. Uses only `document_bytes` and `nesting` of `limits`; a document
 /// cannot change these two. Throws Cancelled soon after `progress` was asked to stop. Null: it cannot be stopped.
-Value parse_json(std::string_view text, const Limits& limits = {}, const Progress* progress = nullptr);
+Value parse_json(std::string_view text, const SizeLimits& limits = {}, const Progress* progress = nullptr);
 
 /// Writes JSON in the canonical form. Each member has a line, with two spaces per level, and members keep their order.
 /// A list without objects stands on one line. Whole numbers have no point; other numbers have the fewest digits that

@@ -9,7 +9,7 @@
 namespace meristem::json_test {
 
 /// "line:column: message; expected ...", as users read it.
-std::string error_of(std::string_view text, const Limits& limits = {}) {
+std::string error_of(std::string_view text, const SizeLimits& limits = {}) {
   try {
     parse_json(text, limits);
   } catch (const InputError& error) {
@@ -79,7 +79,7 @@ TEST(Json, RejectsKeysOfAThousandBytes) {
 }
 
 TEST(Json, RejectsNestingPastTheLimitWhereItPasses) {
-  const Limits limits{.nesting = 3};
+  const SizeLimits limits{.nesting = 3};
   EXPECT_EQ(parse_json("[[[1]]]", limits), Value(Value::List{Value(Value::List{Value(Value::List{1.0})})}));
   EXPECT_EQ(error_of("[[\n [[1]]]]", limits),
             "2:3: [0][0][0]: lists and objects are nested deeper than 3 levels; expected a flatter document");

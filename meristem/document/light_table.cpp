@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/graph/table/table.h"
+#include "meristem/scene/light/sampled_days.h"
 
 namespace meristem {
 
@@ -34,7 +35,9 @@ std::vector<double> season_days(const SunParameters& sun) {
 }
 
 void check_positions(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
-  const double a_day = 2 * std::floor(12 / sun.every_hours.value_or(kSeasonHours)) + 1;
+  // Compute in floating point, because the number may not fit into an integer.
+  const double every = sun.every_hours.value_or(kSeasonHours);
+  const double a_day = std::floor(sun.sample_hour / every) + std::floor((24 - sun.sample_hour) / every) + 1;
   const double days = sun.days.empty() ? 1 : static_cast<double>(season_days(sun).size());
   if (days * a_day <= kMaxPositions) return;
   const char* const name = sun.every_hours && a_day > days ? "every_hours" : "every_days";
@@ -45,7 +48,7 @@ void check_positions(const SunParameters& sun, const DocumentPath& path, Paramet
 /// Returns the day of the year that a day or a date gives, or nothing.
 std::optional<double> day_of(const SunParameters& sun) {
   if (sun.day || sun.date.empty()) return sun.day;
-  const std::optional<Date> date = parse_date(sun.date);
+  const std::optional<CalendarDate> date = parse_date(sun.date);
   return date ? std::optional<double>(day_of_year(*date)) : std::nullopt;
 }
 
@@ -97,10 +100,14 @@ const ParameterTable& sun_table() {
           .number("every_days", &SunParameters::every_days, {.unit = Unit::day, .min = 1, .max = 366, .usual = {1, 60}},
                   "Days from one sampled day of the season to the next; lowered, more positions of the sun and slower "
                   "growth.")
-          .number("every_hours", &SunParameters::every_hours,
-                  {.unit = Unit::hour, .min = 0, .max = 24, .usual = {0.25, 6}, .above_min = true},
-                  "Hours between sampled positions of the sun, before and after noon, for the light of a whole day; by "
-                  "default, 1 in a season.")
+          .number(
+              "every_hours", &SunParameters::every_hours,
+              {.unit = Unit::hour, .min = 0, .max = 24, .usual = {0.25, 6}, .above_min = true},
+              "Hours between sampled positions of the sun, for the light of a whole day; by default, 1 in a season.")
+          .number(
+              "sample_hour", &SunParameters::sample_hour, {.unit = Unit::hour, .min = 0, .max = 24},
+              "One of the sampled hours, in true solar time; the others lie whole multiples of 'every_hours' before "
+              "and after it.")
           .number("hour", &SunParameters::hour, {.unit = Unit::hour, .min = 0, .max = 24},
                   "Hour of the day in true solar time, with the sun highest at 12; for a whole day or season, the hour "
                   "that pictures show.")
@@ -114,7 +121,8 @@ const ParameterTable& sun_table() {
           .never_with("day", {"days", "date"})
           .never_with("days", {"date"})
           .only_with("days", {"every_days"})
-          .never_with("azimuth", {"every_hours", "hour"})
+          .never_with("azimuth", {"every_hours", "hour", "sample_hour"})
+          .only_where({{"every_hours"}, {"days"}}, {"sample_hour"})
           .only_with("date", {"time"})
           .never_with("time", {"hour"})
           .only_with("time", {"longitude", "utc_offset"})
@@ -191,10 +199,11 @@ SkyDirection shown_sun(const LightParameters& settings) {
 /// Returns all positions of the sun. Their weights add up to 1.
 std::vector<DirectionalLight> sun_positions(const LightParameters& settings, SkyDirection shown) {
   const SunParameters& sun = *settings.sun;
+  const DaySamples samples{.every = sun.every_hours.value_or(kSeasonHours), .anchor = sun.sample_hour};
   if (!sun.days.empty()) {
-    return sun_of_days(*settings.latitude, season_days(sun), sun.every_hours.value_or(kSeasonHours));
+    return sampled_days(*settings.latitude, season_days(sun), samples);
   }
-  if (day_of(sun) && sun.every_hours) return sun_of_days(*settings.latitude, {*day_of(sun)}, *sun.every_hours);
+  if (day_of(sun) && sun.every_hours) return sampled_days(*settings.latitude, {*day_of(sun)}, samples);
   if (shown.altitude <= 0) return {};
   return {DirectionalLight{.toward = unit_vector(shown)}};
 }

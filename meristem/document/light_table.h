@@ -19,6 +19,7 @@ struct SunParameters {
   double every_days = 30;             ///< days between the positions of a season
   std::optional<double> every_hours;  ///< hours between positions over a day or a season; unset: a single hour, or the
                                       ///< default of seasons
+  double sample_hour = 12;            ///< one of the sampled hours
   double hour = 12;                   ///< hour of a day without every_hours; also the hour of pictures
   std::string date;                   ///< date instead of a day; may be empty
   std::optional<double> time;         ///< clock time, hours; instead of `hour`
@@ -36,11 +37,12 @@ struct LightParameters {
 
 /// Returns the rows of LightParameters. check_light() has the rules between them.
 const ParameterTable& light_table();
-/// Reports settings that exclude each other, at `path`.
+/// Checks the light as a whole. Reports a sun with a day without a latitude, and more than 1000 lamps. `path` is the
+/// path of the scene.
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader);
 
-/// Sets the scene's light and its sun in pictures. `path` is the scene's path. Warns if the sun gives no light. The
-/// settings must have passed check_light() without faults.
+/// Sets the scene's light, its sun in pictures, its latitude and its clock. `path` is the scene's path. Warns if the
+/// sun gives no light. The settings must have passed check_light() without faults.
 void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene);
 
 }  // namespace meristem

@@ -12,7 +12,7 @@
 namespace meristem::light_table_test {
 
 /// The document of a box with this scene, which has a line of its own.
-Document read_in(const std::string& scene, const std::vector<Override>& overrides = {}) {
+Document read_in(const std::string& scene, const std::vector<ValueOverride>& overrides = {}) {
   return read_document(
       fmt::format("{{\"scene\":\n{},\n\"meristem\": 1, \"components\": {{\"box\": {{\"type\": \"simple\"}}}}}}", scene),
       "d.json", builtin_components(), {.overrides = overrides});

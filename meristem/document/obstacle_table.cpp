@@ -34,7 +34,7 @@ TriangleMesh placed_mesh(const ObstacleParameters& form) {
   return mesh;
 }
 
-ObstacleMesh read_obstacle_mesh(const std::string& path, const Limits& limits) {
+ObstacleMesh read_obstacle_mesh(const std::string& path, const SizeLimits& limits) {
   ObstacleMesh read{.mesh = read_mesh(path, limits), .errors = {}, .body_error = {}};
   read.errors = closedness_errors(read.mesh);
   if (read.errors.empty()) read.body_error = body_error(read.mesh);
@@ -107,7 +107,7 @@ void check_obstacles(const std::vector<ObstacleParameters>& forms, const Documen
   double triangles = 0;
   for (const ObstacleParameters& form : forms)
     triangles += form.mesh ? static_cast<double>(form.mesh->mesh.triangles.size()) : 12;
-  const Limits& limits = reader.limits();
+  const SizeLimits& limits = reader.limits();
   if (triangles > static_cast<double>(limits.triangles)) {
     return reader.error_limit(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
   }

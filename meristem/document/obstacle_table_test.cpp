@@ -34,7 +34,7 @@ class ObstacleDocument : public testing::Test {
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
-  Document read(const std::string& text, const std::vector<Override>& overrides = {}) const {
+  Document read(const std::string& text, const std::vector<ValueOverride>& overrides = {}) const {
     return read_document(text, (folder_ / "d.json").string(), builtin_components(), {.overrides = overrides});
   }
   Obstacles obstacles(const std::string& text) const { return read(document_with(text)).scene.obstacles; }

@@ -141,7 +141,7 @@ void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>
 }
 
 /// Adds an override in the form of `--set`. Replaces an earlier value of that path.
-void note_set(const Override& override, std::vector<std::string>& sets) {
+void note_set(const ValueOverride& override, std::vector<std::string>& sets) {
   const std::string path = override.path + "=";
   std::erase_if(sets, [&path](const std::string& set) { return set.starts_with(path); });
   sets.push_back(path + write_json_line(override.value));
@@ -149,7 +149,7 @@ void note_set(const Override& override, std::vector<std::string>& sets) {
 
 }  // namespace
 
-Override parse_override(std::string_view text) {
+ValueOverride parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string path(text.substr(0, equals));
   if (equals == std::string_view::npos || equals == 0) {
@@ -164,9 +164,9 @@ Override parse_override(std::string_view text) {
   }
 }
 
-void apply_overrides(Value& root, const std::vector<Override>& overrides, Source& source,
+void apply_overrides(Value& root, const std::vector<ValueOverride>& overrides, DocumentOrigin& source,
                      std::vector<Diagnostic>& diagnostics) {
-  for (const Override& override : overrides) {
+  for (const ValueOverride& override : overrides) {
     note_set(override, source.sets);
     const bool is_path = !path_elements(override.path).empty();
     const std::string path = is_path ? full_path(root, override.path) : override.path;

@@ -27,7 +27,7 @@ Value* find_or_add_below(Value& value, std::span<const std::string> elements, co
 /// path without a dot or bracket is a variable. A path that begins with a top-level key is used unchanged. Any other
 /// path begins with a component's id. Missing members are added (the reader checks them), but elements of lists must
 /// exist. Null removes a member.
-void apply_overrides(Value& root, const std::vector<Override>& overrides, Source& source,
+void apply_overrides(Value& root, const std::vector<ValueOverride>& overrides, DocumentOrigin& source,
                      std::vector<Diagnostic>& diagnostics);
 
 /// Removes values from the tree that have no effect beside the values set at `overridden` paths of the same component,

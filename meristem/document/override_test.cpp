@@ -20,7 +20,7 @@ constexpr const char* kOak = R"({
 })";
 
 Document read_with(const std::vector<std::string>& sets) {
-  std::vector<Override> overrides;
+  std::vector<ValueOverride> overrides;
   for (const std::string& set : sets) overrides.push_back(parse_override(set));
   return read_document(kOak, "oak.json", builtin_components(), {.overrides = overrides});
 }
@@ -98,7 +98,7 @@ TEST(Override, RefusesPathsThatAreNone) {
   for (const char* path : {"", "a..b", ".x", "x.", "[0]", "x[", "x[1", "x.[0]", "x[0]y"}) {
     try {
       read_document(R"({"meristem": 1, "components": {"c": {"type": "camera"}}})", "d.json", builtin_components(),
-                    {.overrides = {Override{.path = path, .value = Value(1), .name = {}}}});
+                    {.overrides = {ValueOverride{.path = path, .value = Value(1), .name = {}}}});
       ADD_FAILURE() << path;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics()[0].message, "'" + std::string(path) + "' is not a path");

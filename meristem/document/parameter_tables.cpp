@@ -141,9 +141,9 @@ class TableList {
   }
 
   /// Lists the tables of all kinds of an element, with the key that selects the kind.
-  Value kinds(const Kinds& kinds, const std::string& owner) {
+  Value kinds(const ElementKinds& kinds, const std::string& owner) {
     Object tables;
-    for (const Kinds::Kind& kind : kinds.kinds) {
+    for (const ElementKinds::Kind& kind : kinds.kinds) {
       tables.emplace_back(kind.name, add(kind.table(), owner + "." + kind.name));
     }
     return Object{{"key", kinds.key}, {"doc", kinds.key_doc}, {"tables", std::move(tables)}};

@@ -54,8 +54,8 @@ Value operation_of(Value rule, int last, const std::string& name) {
 
 }  // namespace
 
-std::vector<Override> with_rules(const Document& document, const PlanRules& rules) {
-  std::vector<Override> overrides;
+std::vector<ValueOverride> with_rules(const Document& document, const PlanRules& rules) {
+  std::vector<ValueOverride> overrides;
   for (const auto& [id, last] : pruned_components(document)) {
     if (rules.operations.empty()) continue;
     const Value* const given = key_of(document, id, "operations");
@@ -66,8 +66,8 @@ std::vector<Override> with_rules(const Document& document, const PlanRules& rule
   return overrides;
 }
 
-std::vector<Override> only_planned(const Document& document, const PlanRules& rules) {
-  std::vector<Override> overrides = with_rules(document, rules);
+std::vector<ValueOverride> only_planned(const Document& document, const PlanRules& rules) {
+  std::vector<ValueOverride> overrides = with_rules(document, rules);
   for (const auto& component : pruned_components(document)) {
     const std::string& id = component.first;
     const bool has_own = key_of(document, id, "operations") != nullptr || key_of(document, id, "training") != nullptr;

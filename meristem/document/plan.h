@@ -22,11 +22,11 @@ struct PlanRules {
 /// overrides must be kept when the document is read again. A rule without a time acts at the last iteration of a
 /// component's trees. Throws InputError for rules that are no objects or act in summer, and if no component has such
 /// trees.
-std::vector<Override> with_rules(const Document& document, const PlanRules& rules);
+std::vector<ValueOverride> with_rules(const Document& document, const PlanRules& rules);
 
 /// Returns the overrides with which the document's trees only plan the operations of their last iteration and these
 /// rules. The growth of that document reports the plan by operation_records() and the column `plan_cut`.
 /// GrowthView::outcome shows the trees after the plan. Throws as with_rules() does.
-std::vector<Override> only_planned(const Document& document, const PlanRules& rules);
+std::vector<ValueOverride> only_planned(const Document& document, const PlanRules& rules);
 
 }  // namespace meristem

@@ -11,6 +11,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/batch.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/build_graph.h"
 
 namespace meristem::plan_test {
@@ -29,7 +30,7 @@ constexpr const char* kPruned = R"j({
 constexpr const char* kWhole = R"j({"do": "cut", "shoots": "main.3", "above": 0})j";
 constexpr const char* kThin = R"j({"do": "cut", "shoots": "rank == 2 && age > 1", "above": 0})j";
 
-Document read(const std::vector<Override>& overrides = {}, const std::string& text = kPruned) {
+Document read(const std::vector<ValueOverride>& overrides = {}, const std::string& text = kPruned) {
   return read_document(text, "test.json", builtin_components(), {.overrides = overrides});
 }
 
@@ -81,7 +82,7 @@ TEST(Plan, TheTreesBeforeAndAfterItAreOneGrowth) {
 }
 
 TEST(Plan, ComponentsWithoutOperationsPlanNothing) {
-  const std::vector<Override> overrides = only_planned(read(), {});
+  const std::vector<ValueOverride> overrides = only_planned(read(), {});
   ASSERT_EQ(overrides.size(), 1U);
   EXPECT_EQ(overrides[0].path, "components.tree.plan");
   EXPECT_NO_THROW(read(overrides));
@@ -89,7 +90,7 @@ TEST(Plan, ComponentsWithoutOperationsPlanNothing) {
 
 TEST(Plan, RulesGoOnWhereTheDocumentEnds) {
   const Document asked = read();
-  const std::vector<Override> overrides = with_rules(
+  const std::vector<ValueOverride> overrides = with_rules(
       asked, {{parse_json(kWhole), parse_json(R"j({"do": "mark", "from": 2, "shoots": "inward"})j")}, "--rule"});
   ASSERT_EQ(overrides.size(), 2U);
   EXPECT_EQ(overrides[0].path, "components.tree.operations");

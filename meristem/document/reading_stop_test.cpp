@@ -75,44 +75,69 @@ std::string mtg() {
       [](int k) { return k == 0 ? std::string("/S1\t0\t0\t0") : fmt::format("^<S{}\t0\t0\t{}", k + 1, k); });
 }
 
+/// One step of reading a file. Earlier steps are done when the step is made, so only this step is counted and stopped.
 struct Reader {
   const char* name;
-  std::string text;
-  std::function<void(const std::string& text)> read;
+  std::function<void()> read;
 };
 
+/// Returns a mesh of that many triangles. Every triangle has its own corners.
+TriangleMesh loose_triangles(int count) {
+  TriangleMesh mesh;
+  for (int k = 0; k < count; ++k) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const DVec3 corner : {DVec3(k, 0, 0), DVec3(k, 1, 0), DVec3(k, 0, 1)}) mesh.positions.push_back(corner);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
 std::vector<Reader> readers() {
-  const auto mesh = [](const std::string& text) { parse_mesh(text, "m", {}); };
-  const auto cloud = [](const std::string& text) { parse_points(text, "p", {}); };
-  return {
-      {"obj", obj(), mesh},
-      {"ply", ply(), mesh},
-      {"binary ply", binary_ply(), cloud},
-      {"points", points(), cloud},
-      {"columns", table(),
-       [](const std::string& text) {
-         read_columns(text, {{"a"}, {"b"}}, {});
-       }},
-      {"table", table(), [](const std::string& text) { read_text_table(text, {}); }},
-      {"nodes", nodes(), [](const std::string& text) { skeleton_of(read_node_table(text, "n.csv", {}), {}, "n.csv"); }},
-      {"mtg", mtg(), [](const std::string& text) { skeleton_of(read_mtg(text, "m.mtg", {}), "m.mtg", {}, {}); }},
-      {"closed mesh", obj(), [](const std::string& text) { closedness_errors(parse_mesh(text, "m", {})); }},
-      {"body", obj(), [](const std::string& text) { body_error(parse_mesh(text, "m", {})); }}};
+  const auto mesh = [](std::string text) { return [text = std::move(text)] { parse_mesh(text, "m", {}); }; };
+  const auto cloud = [](std::string text) { return [text = std::move(text)] { parse_points(text, "p", {}); }; };
+  const auto columns = [](const std::string& text) { read_columns(text, {{"a"}, {"b"}}, {}); };
+  const NodeTable node_table = read_node_table(nodes(), "n.csv", {});
+  const MtgTree mtg_tree = read_mtg(mtg(), "m.mtg", {});
+  const TriangleMesh body = parse_mesh(obj(), "m", {});
+  const TriangleMesh triangles = loose_triangles(kRows);
+  return {{"obj", mesh(obj())},
+          {"ply", mesh(ply())},
+          {"binary ply", cloud(binary_ply())},
+          {"points", cloud(points())},
+          {"columns", [columns, text = table()] { columns(text); }},
+          {"table", [text = table()] { read_text_table(text, {}); }},
+          {"nodes", [text = nodes()] { read_node_table(text, "n.csv", {}); }},
+          {"skeleton of nodes", [node_table] { skeleton_of(node_table, {}, "n.csv"); }},
+          {"mtg", [text = mtg()] { read_mtg(text, "m.mtg", {}); }},
+          {"skeleton of an mtg", [mtg_tree] { skeleton_of(mtg_tree, "m.mtg", {}, {}); }},
+          {"closed mesh", [body] { closedness_errors(body); }},
+          {"body", [body] { body_error(body); }},
+          {"tree of obstacles", [triangles] { Obstacles({Obstacle{.mesh = triangles}}); }}};
 }
 
 TEST(ReadingStop, ReadersCheckItOftenAndAreStoppedByIt) {
   for (const Reader& reader : readers()) {
     SCOPED_TRACE(reader.name);
     const std::uint64_t before = ReadingStop::check_count();
-    reader.read(reader.text);
+    reader.read();
     EXPECT_GE(ReadingStop::check_count() - before, static_cast<std::uint64_t>(kRows) / 256);
     Progress progress;
     const ReadingStop stop(&progress);
-    reader.read(reader.text);
+    reader.read();
     progress.cancel();
-    EXPECT_THROW(reader.read(reader.text), Cancelled);
+    EXPECT_THROW(reader.read(), Cancelled);
   }
   EXPECT_EQ(ReadingStop::progress(), nullptr) << "a stop ends with its object";
+}
+
+/// A few triangles are copied without a check, so the tree of their rays is what is stopped.
+TEST(ReadingStop, TheTreeOfFewObstaclesIsStopped) {
+  const std::vector<Obstacle> few{Obstacle{.mesh = loose_triangles(20)}};
+  Progress progress;
+  const ReadingStop stop(&progress);
+  EXPECT_EQ(Obstacles(few).bodies().size(), 1U);
+  progress.cancel();
+  EXPECT_THROW(Obstacles{few}, Cancelled);
 }
 
 TEST(ReadingStop, NullLeavesTheStopOfTheCaller) {
@@ -143,6 +168,25 @@ TEST(ReadingStop, TheProgressOfADocumentStopsTheReadersOfItsFiles) {
   }
   EXPECT_GE(ReadingStop::check_count() - before, static_cast<std::uint64_t>(kRows) / 256);
   EXPECT_EQ(ReadingStop::progress(), nullptr);
+}
+
+/// A stopped reading leaves nothing behind that the next one would miss.
+TEST(ReadingStop, ADocumentWithObstaclesIsReadAgainAfterAStop) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "house.obj") << obj();
+  const std::string text =
+      R"({"meristem": 1, "scene": {"obstacles": [{"mesh": "house.obj", "broken": true}]},
+          "components": {"t": {"type": "tree"}}})";
+  const auto read = [&](const Progress& progress) {
+    return read_document(text, folder / "d.json", builtin_components(), {.progress = &progress});
+  };
+  Progress stopped;
+  stopped.cancel();
+  EXPECT_THROW(read(stopped), Cancelled);
+  const std::uint64_t before = ReadingStop::check_count();
+  EXPECT_EQ(read(Progress()).scene.obstacles.bodies().size(), 1U);
+  // Vertices and faces of the file, its edges, and the triangles of the tree.
+  EXPECT_GE(ReadingStop::check_count() - before, static_cast<std::uint64_t>(4 * kRows) / 256);
 }
 
 TEST(ReadingStop, LargeFilesAreReadInPieces) {

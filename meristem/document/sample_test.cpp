@@ -39,7 +39,7 @@ struct Read {
   std::vector<std::string> errors;
 };
 
-Read read(const std::string& json, const std::string& folder = {}, const Limits& limits = {}) {
+Read read(const std::string& json, const std::string& folder = {}, const SizeLimits& limits = {}) {
   ParameterReader reader({{"tilt", 40}}, limits, {.folder = folder});
   Read result;
   const DocumentPath top;

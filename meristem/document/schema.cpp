@@ -175,9 +175,9 @@ class SchemaWriter {
   }
 
   /// Returns the schema of an element with several kinds. Each kind allows only its own rows.
-  Value of_kinds(const Kinds& kinds) const {
+  Value of_kinds(const ElementKinds& kinds) const {
     List alternatives;
-    for (const Kinds::Kind& kind : kinds.kinds) {
+    for (const ElementKinds::Kind& kind : kinds.kinds) {
       const Object says{{"const", kind.name}, {"description", kinds.key_doc}};
       alternatives.push_back(table(kind.table(), {{kinds.key, says}}, {kinds.key}));
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/name_table.h"
+#include "meristem/base/reading_stop.h"
 
 namespace meristem {
 
@@ -21,15 +22,17 @@ void report(std::vector<Diagnostic>& diagnostics, std::string path, std::string 
                          .text_offset = kAtName});
 }
 
-void check_recursions(const Value& components, const Graph& graph, std::vector<Diagnostic>& diagnostics) {
+void check_recursions(const Value& components, const Graph& graph, std::vector<Diagnostic>& diagnostics,
+                      StopCounter& stop) {
   // The graph's components begin with the components of the document, in their order. Components that the reader has
   // added follow.
   if (components.object() == nullptr) return;
   for (std::size_t k = 0; k < components.object()->size(); ++k) {
+    stop.step();
     const auto component = static_cast<ComponentIndex>(k);
     const auto& [id, given] = (*components.object())[k];
     if (given.find("recursion") == nullptr) continue;
-    const auto is_its = [component](const Structure::Recursion& recursion) { return recursion.head == component; };
+    const auto is_its = [component](const LinkStructure::Recursion& recursion) { return recursion.head == component; };
     if (std::ranges::any_of(graph.structure.recursions, is_its)) continue;
     report(diagnostics, fmt::format("components.{}.recursion", id),
            fmt::format("'recursion' has no meaning here: no link leads back to '{}'", id),
@@ -39,15 +42,19 @@ void check_recursions(const Value& components, const Graph& graph, std::vector<D
 
 /// Reports angles that have no effect: children that head along the stem turn away from it only if the link gives an
 /// angle.
-void check_angles(const Value& links, std::vector<Diagnostic>& diagnostics, const Graph& graph) {
+void check_angles(const Value& links, std::vector<Diagnostic>& diagnostics, const Graph& graph, StopCounter& stop) {
   NameTable ids;
-  for (const Prototype& prototype : graph.components) ids.add(prototype.id);
+  for (const Prototype& prototype : graph.components) {
+    stop.step();
+    ids.add(prototype.id);
+  }
   const auto leads_away = [&](const Value& link) {
     const Value* to = link.find("to");
     const auto found = to == nullptr || to->text() == nullptr ? std::nullopt : ids.find(*to->text());
     return found && graph.components[*found].type->stance == BranchStance::along_axis;
   };
   for (std::size_t k = 0; k < links.list()->size(); ++k) {
+    stop.step();
     const Value& link = (*links.list())[k];
     if (link.find("angle") != nullptr || !leads_away(link)) continue;
     for (const char* const name : {"angle_tip", "angle_spread"}) {
@@ -63,8 +70,9 @@ void check_angles(const Value& links, std::vector<Diagnostic>& diagnostics, cons
 }  // namespace
 
 void check_silent_keys(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  if (const Value* components = root.find("components")) check_recursions(*components, graph, diagnostics);
-  if (const Value* links = root.find("links")) check_angles(*links, diagnostics, graph);
+  StopCounter stop;
+  if (const Value* components = root.find("components")) check_recursions(*components, graph, diagnostics, stop);
+  if (const Value* links = root.find("links")) check_angles(*links, diagnostics, graph, stop);
 }
 
 }  // namespace meristem

@@ -165,7 +165,7 @@ class DocumentSource : public PlantSource {
       return handle;
     }
     Value tree = tree_;
-    Source ignored;
+    DocumentOrigin ignored;
     std::vector<Diagnostic> errors;
     apply_overrides(tree, {{.path = name, .value = Value(1.0)}}, ignored, errors);
     handle.is_known = errors.empty();
@@ -201,7 +201,7 @@ class DocumentSource : public PlantSource {
   std::string models_;
   std::vector<DocumentChain> chain_;
   Value tree_;
-  std::optional<Limits> within_;
+  std::optional<SizeLimits> within_;
   std::vector<std::string> variables_;
   std::uint64_t fingerprint_ = 0;
   std::shared_ptr<PaintedTextures> painted_;

@@ -20,13 +20,13 @@ class DocumentSources : public PlantSources {
 
   /// Sets limits for all documents that are opened later, and for the documents that they open. Their own limits apply
   /// as well.
-  void set_limits(const Limits& limits) { limits_ = limits; }
+  void set_limits(const SizeLimits& limits) { limits_ = limits; }
   Opened open(const std::string& name, const FileAccess& access) override;
 
  private:
   const Registry& registry_;
   const ReadOptions& options_;
-  Limits limits_;
+  SizeLimits limits_;
 };
 
 }  // namespace meristem

@@ -4,7 +4,7 @@
 #include "meristem/base/seed.h"
 #include "meristem/components/parts/check_line.h"
 #include "meristem/graph/table/table.h"
-#include "meristem/shape/detail.h"
+#include "meristem/shape/detail/detail.h"
 
 namespace meristem {
 
@@ -130,29 +130,29 @@ const ParameterTable& animation_table() {
 
 const ParameterTable& limits_table() {
   static const ParameterTable table =
-      Table<Limits>("limits", "Bounds on what the document may ask for; growth beyond them stops with an error.")
-          .integer("diagnostics", &Limits::diagnostics, {.min = 1, .max = 10000},
+      Table<SizeLimits>("limits", "Bounds on what the document may ask for; growth beyond them stops with an error.")
+          .integer("diagnostics", &SizeLimits::diagnostics, {.min = 1, .max = 10000},
                    "Largest number of faults reported at once.")
-          .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6},
+          .integer("expression_bytes", &SizeLimits::expression_bytes, {.min = 1, .max = 1e6},
                    "Largest length of one expression in bytes.")
-          .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Largest number of attraction points.")
-          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9},
+          .integer("points", &SizeLimits::points, {.min = 1, .max = 4e9}, "Largest number of attraction points.")
+          .integer("nodes", &SizeLimits::nodes, {.min = 1, .max = 4e9},
                    "Largest number of skeleton nodes; it also bounds the memory of instances, at 100 bytes for each.")
-          .integer("modules", &Limits::modules, {.min = 1, .max = 4e9},
+          .integer("modules", &SizeLimits::modules, {.min = 1, .max = 4e9},
                    "Largest number of modules in the word of an L-system, and of their parameters.")
           .integer(
-              "instances", &Limits::instances, {.min = 1, .max = 4e9},
+              "instances", &SizeLimits::instances, {.min = 1, .max = 4e9},
               "Largest number of instances of all components together; it also bounds their memory, at 160 bytes for "
               "each.")
-          .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole},
+          .integer("triangles", &SizeLimits::triangles, {.min = 1, .max = kLargestWhole},
                    "Largest number of triangles; each instance counts, but a plant of another document counts once.")
-          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole},
+          .integer("mesh_bytes", &SizeLimits::mesh_bytes, {.min = 1, .max = kLargestWhole},
                    "Largest memory for distinct geometry in bytes.")
-          .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
+          .integer("file_bytes", &SizeLimits::file_bytes, {.min = 1, .max = kLargestWhole},
                    "Largest size in bytes of a file that the document names.")
-          .integer("picture_pixels", &Limits::picture_pixels, {.min = 1, .max = 1e9},
+          .integer("picture_pixels", &SizeLimits::picture_pixels, {.min = 1, .max = 1e9},
                    "Largest number of pixels in a picture that the document names.")
-          .integer("texture_pixels", &Limits::texture_pixels, {.min = 1, .max = kLargestWhole},
+          .integer("texture_pixels", &SizeLimits::texture_pixels, {.min = 1, .max = kLargestWhole},
                    "Largest number of pixels in all textures together; a texture that several components share counts "
                    "once.");
   return table;

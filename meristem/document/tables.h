@@ -46,6 +46,6 @@ struct DocumentHead {
 const ParameterTable& head_table();       ///< the rows of DocumentHead
 const ParameterTable& variable_table();   ///< the rows of Variable
 const ParameterTable& animation_table();  ///< the rows of Animation
-const ParameterTable& limits_table();     ///< the rows of Limits
+const ParameterTable& limits_table();     ///< the rows of SizeLimits
 
 }  // namespace meristem

@@ -54,7 +54,7 @@ std::string circle_text(const std::vector<ExpressionNames::Constant>& constants,
 
 class Solver {
  public:
-  Solver(const Value::Object& given, const Limits& limits) {
+  Solver(const Value::Object& given, const SizeLimits& limits) {
     for (const auto& [name, variable] : given) {
       if (!is_free_name(name) || nodes_.size() == kMaxVariables || is_per_instance(variable)) continue;
       Node& node = nodes_.emplace_back();
@@ -92,7 +92,7 @@ class Solver {
   };
 
   /// Compiles the expression of a variable. The reader of the value reports faults in the text later.
-  void compile(Node& node, const Limits& limits) const {
+  void compile(Node& node, const SizeLimits& limits) const {
     if (node.text.empty()) return;
     try {
       const ExpressionScope scope{
@@ -211,7 +211,7 @@ bool has_meaning(const std::string& name) {
   return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
 }
 
-VariableValues solve_variables(const Value* given, const Limits& limits) {
+VariableValues solve_variables(const Value* given, const SizeLimits& limits) {
   return given == nullptr || given->object() == nullptr ? VariableValues{} : Solver(*given->object(), limits).run();
 }
 

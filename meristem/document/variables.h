@@ -25,7 +25,7 @@ bool has_meaning(const std::string& name);
 
 /// Computes the variables, each after the variables that it uses. `given` is the document's object of variables, or
 /// null. Reports no faults; read_variables() does.
-VariableValues solve_variables(const Value* given, const Limits& limits);
+VariableValues solve_variables(const Value* given, const SizeLimits& limits);
 
 /// Reads the variables by their table and reports faults. The reader must know the `solved` constants.
 std::vector<Variable> read_variables(const Value* given, const VariableValues& solved, ParameterReader& reader);

@@ -22,7 +22,7 @@ std::string with(const std::string& variables, const std::string& length = "1") 
 }
 
 Document read(const std::string& text, const std::vector<std::string>& sets = {}, const std::string& file = "d.json") {
-  std::vector<Override> overrides;
+  std::vector<ValueOverride> overrides;
   for (const std::string& set : sets) overrides.push_back(parse_override(set));
   return read_document(text, file, builtin_components(), {.overrides = overrides});
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meristem/base/reading_stop.h"
+#include "meristem/graph/flat_lists.h"
 
 namespace meristem {
 
@@ -15,17 +16,17 @@ namespace {
 class Roots {
  public:
   Roots(Graph& graph, ComponentIndex camera)
-      : graph_(graph), camera_(camera), children_(camera), has_parent_(camera), is_reached_(camera) {
+      : graph_(graph), camera_(camera), has_parent_(camera), is_reached_(camera) {
+    outgoing_ = make_flat_lists(camera, graph.links.size(), [&](std::size_t k) { return graph.links[k].from; });
     for (const Link& link : graph.links) {
       stop_.step();
-      children_[link.from].push_back(link.to);
       has_parent_[link.to] = true;
     }
   }
 
   void run() {
     const auto roots = std::ranges::count(has_parent_, false);
-    graph_.links.reserve(graph_.links.size() + static_cast<std::size_t>(roots));
+    graph_.links.reserve(graph_.links.size() + static_cast<std::size_t>(roots));  // moves nothing after a LinkReader
     for (ComponentIndex c = 0; c < camera_; ++c) {
       if (!has_parent_[c]) link_to(c);
     }
@@ -47,7 +48,8 @@ class Roots {
       const ComponentIndex next = ahead.back();
       ahead.pop_back();
       stop_.step();
-      for (const ComponentIndex child : children_[next]) {
+      for (const LinkIndex link : outgoing_.of(next)) {
+        const ComponentIndex child = graph_.links[link].to;
         if (!is_reached_[child]) ahead.push_back(child);
         is_reached_[child] = true;
       }
@@ -57,7 +59,7 @@ class Roots {
   StopCounter stop_;
   Graph& graph_;
   ComponentIndex camera_;  // the last component
-  std::vector<std::vector<ComponentIndex>> children_;
+  FlatLists outgoing_;     // links of the document by component
   std::vector<bool> has_parent_;
   std::vector<bool> is_reached_;
 };

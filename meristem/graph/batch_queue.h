@@ -21,9 +21,9 @@ struct Way;
 struct Batch {
   ComponentIndex component = 0;
   std::shared_ptr<const Sites> places;
-  std::vector<std::uint32_t> numbers{};  ///< numbers of the instances in the tree of instances, if that is made
-  Way* way = nullptr;                    ///< null: the batch expands whole
-  std::size_t begin = 0;                 ///< index of the first site in `places`
+  std::uint64_t first = 0;  ///< number of the first instance among all instances; valid if no batch is in slices
+  Way* way = nullptr;       ///< null: the batch expands whole
+  std::size_t begin = 0;    ///< index of the first site in `places`
   std::size_t end = places == nullptr ? 0 : places->sites.size();
 
   std::size_t count() const { return end - begin; }                       ///< number of instances

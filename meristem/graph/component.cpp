@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-Frame Transform::frame() const {
+Frame InstanceTransform::frame() const {
   Frame frame;
   frame.origin = translate;
   if (rotate != Vec3(0)) {
@@ -33,15 +33,15 @@ bool is_among(std::string_view name, const auto& names) { return std::ranges::fi
 
 const ParameterTable& transform_table() {
   static const ParameterTable table =
-      Table<Transform>("a transform", "A transform: scales first, then turns, then moves.")
-          .vector("translate", &Transform::translate, {.unit = Unit::metre, .min = -1e6, .max = 1e6},
+      Table<InstanceTransform>("a transform", "A transform: scales first, then turns, then moves.")
+          .vector("translate", &InstanceTransform::translate, {.unit = Unit::metre, .min = -1e6, .max = 1e6},
                   "Shift along x (right), y (heading) and z (out of the upper face).")
           .in_space(InSpace::shift)
-          .vector("rotate", &Transform::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
+          .vector("rotate", &InstanceTransform::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
                   "Angles of pitch about x, roll about y and yaw about z; the roll acts first, then the pitch, then "
                   "the yaw.")
           .in_space(InSpace::turn)
-          .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4, .usual = {0.1, 5}},
+          .vector("scale", &InstanceTransform::scale, {.min = 1e-4, .max = 1e4, .usual = {0.1, 5}},
                   "Scale factors along x, y and z.");
   return table;
 }
@@ -60,7 +60,7 @@ const ParameterTable& growing_component_table() {
 Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions) {
   Frame frame = site * base.frame.frame();
   if (tropism == Tropism::none) return frame;
-  const auto turn = [&](int column, const Pulling& pulling, double share) {
+  const auto turn = [&](int column, const FieldPull& pulling, double share) {
     const Vec3 fallback = normalized_or(frame.axes[column == 1 ? 0 : 1], kUp);
     const Vec3 from = normalized_or(frame.axes[column], kUp);
     const double pulled = share_pulled(share, pulling.strength);
@@ -152,7 +152,7 @@ bool asks_for_time(const Value& value) { return mentions(value, "t") || has_memb
 }  // namespace
 
 void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTable& constants,
-                      std::span<const NamedFile> files, const Limits& limits) {
+                      std::span<const NamedFile> files, const SizeLimits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
   prototype.depends_on_time = asks_for_time(value) || prototype.type->begins_clock;
 
@@ -165,7 +165,7 @@ void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTa
   prototype.growth_fingerprint = fingerprint_of(growth, constants, files, limits.file_bytes);
 }
 
-void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {
+void check_rules(const ComponentType& type, const std::string& id, const void* instance, const SizeLimits& limits) {
   ParameterReader reader({}, limits);
   const DocumentPath top;
   const DocumentPath components(top, "components");

@@ -42,7 +42,7 @@ namespace meristem {
 
 /// A scale, a rotation and a translation, applied in this order. The rotation rolls about y, then pitches about x, then
 /// yaws about z (radians).
-struct Transform {
+struct InstanceTransform {
   Vec3 translate{0};  ///< metres
   Vec3 rotate{0};     ///< radians about x, y and z
   Vec3 scale{1};      ///< factors along x, y and z
@@ -61,15 +61,15 @@ struct ComponentBase {
   TextureParameters texture;           ///< texture of the geometry; may be empty
   std::optional<double> roughness;     ///< 0 mirror-like to 1 matt; unset: the component type's own
   std::optional<double> translucency;  ///< share of light that passes through; unset: the component type's own
-  Transform place;                     ///< moves this component's geometry only
-  Transform frame;                     ///< moves the coordinate system with all descendants
+  InstanceTransform place;             ///< moves this component's geometry only
+  InstanceTransform frame;             ///< moves the coordinate system with all descendants
   double phototropism = 0;             ///< share of the turn toward the light; negative: away from the light
   double gravitropism = 0;             ///< share of the turn straight down; negative: straight up
-  int recursion = 1;              ///< instances of this component in a row that a link back makes, including the first
-  std::optional<Selection> omit;  ///< instances without geometry
-  std::optional<Selection> only;  ///< all other instances have no geometry
-  bool omit_keeps_children = false;  ///< true: the children of an omitted instance stay
-  bool hidden = false;               ///< no geometry; children stay
+  int recursion = 1;  ///< instances of this component in a row that a link back makes, including the first
+  std::optional<InstanceSelection> omit;  ///< instances without geometry
+  std::optional<InstanceSelection> only;  ///< all other instances have no geometry
+  bool omit_keeps_children = false;       ///< true: the children of an omitted instance stay
+  bool hidden = false;                    ///< no geometry; children stay
 };
 
 /// Further parameters of components that compete with others while they grow.
@@ -94,7 +94,7 @@ struct Prototype;
 struct GrowContext {
   const Scene& scene;            ///< light, obstacles and fields
   const Directions& directions;  ///< at the site of the instance
-  const Limits& limits;          ///< limits of the document
+  const SizeLimits& limits;      ///< limits of the document
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;            ///< for stages and for a cancel
@@ -124,7 +124,7 @@ struct ComponentType : ComponentTraits {
   std::function<std::shared_ptr<void>()> make_parameters;            ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;  ///< the ComponentBase of a struct of parameters
   /// Returns the surface of its stems. Null for components without such a parameter.
-  std::function<const Surface&(const void* parameters)> surface;
+  std::function<const SurfaceOptions&(const void* parameters)> surface;
   /// Returns the shape that the uvs of its geometry cover. Null if the uvs cover no particular shape.
   std::function<TextureShape(const void* parameters)> texture_shape;
   /// Lists the components that it places without a link in the document. Null if there are none.
@@ -175,11 +175,11 @@ std::vector<std::string> rows_after_growth(const ComponentType& type);
 /// Sets the component's fingerprints. `value` is its value in the document, `constants` are the document's variables,
 /// and `files` are the files that were read with the value.
 void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTable& constants,
-                      std::span<const NamedFile> files, const Limits& limits);
+                      std::span<const NamedFile> files, const SizeLimits& limits);
 
 /// Throws an InputError if an instance's parameters break a rule of their table. Parameters may vary, so each instance
 /// is checked.
-void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits);
+void check_rules(const ComponentType& type, const std::string& id, const void* instance, const SizeLimits& limits);
 
 /// The function of a component type that expands one instance with parameters P. After the parameters and the site it
 /// takes what it needs, in any order: `const InstanceContext&`, `OrganSink&`, `StemSink&` and `SiteSink&`, or
@@ -257,8 +257,10 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.parameters = std::move(definition.parameters);
   if (definition.grow != nullptr) type.has_twigs = true;
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
-  if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
-    type.surface = [](const void* parameters) -> const Surface& { return static_cast<const P*>(parameters)->surface; };
+  if constexpr (requires(const P& parameters) { static_cast<const SurfaceOptions&>(parameters.surface); }) {
+    type.surface = [](const void* parameters) -> const SurfaceOptions& {
+      return static_cast<const P*>(parameters)->surface;
+    };
   }
   type.base = [](const void* parameters) -> const ComponentBase& { return *static_cast<const P*>(parameters); };
   type.expand = [expand = definition.expand](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {

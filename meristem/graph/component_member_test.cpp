@@ -26,7 +26,7 @@ struct Sprig : ComponentBase {
   Blade blade;
   std::optional<Blade> second = Blade{};
   int leaves = 5;
-  Count parts{3.5};
+  PartCount parts{3.5};
 };
 
 template <class... Arguments>
@@ -58,7 +58,7 @@ static_assert(!Knows<KnownMembers, const double&>);
 static_assert(!Knows<KnownMembers, Blade>);
 static_assert(KnowsMinimum<KnownMembers, ComponentMember<int>>);
 static_assert(!KnowsMinimum<KnownMembers, int>);
-static_assert(!KnowsMinimum<KnownMembers, Count>);
+static_assert(!KnowsMinimum<KnownMembers, PartCount>);
 static_assert(Knows<InstanceContext, ComponentMember<double>>);
 static_assert(!Knows<InstanceContext, double>);
 static_assert(!Knows<InstanceContext, const double&>);
@@ -83,7 +83,8 @@ TEST(ComponentMember, HasTheValueAndThePositionOfTheMember) {
   EXPECT_EQ(&width.value(), &sprig.blade.tip.width);
   EXPECT_EQ(width.offset(), distance(sprig, &sprig.blade.tip.width));
   EXPECT_EQ(member_of(sprig, &Sprig::height).offset(), distance(sprig, &sprig.height));
-  EXPECT_EQ(member_of(sprig, &ComponentBase::place, &Transform::scale).offset(), distance(sprig, &sprig.place.scale));
+  EXPECT_EQ(member_of(sprig, &ComponentBase::place, &InstanceTransform::scale).offset(),
+            distance(sprig, &sprig.place.scale));
 }
 
 TEST(ComponentMember, StepsIntoTheValueOfAnOptional) {

@@ -28,7 +28,7 @@ struct BladeLook {
 
 /// Describes a component that shows another one, whose id is in its text row `of`. It copies missing rows from the
 /// other component. Both draw equal random numbers if they stand on the same parent.
-struct Showing {
+struct ShownComponent {
   std::string type;  ///< type of the other component; empty: this component shows none
   /// Pairs of a row that is copied and the row's path in the other component, as in "light.limit".
   std::vector<std::pair<std::string, std::string>> rows;
@@ -61,7 +61,7 @@ struct ComponentTraits {
   /// Parameters that growth does not read, besides the looks that all components have. If only these change, the grown
   /// plants stay valid.
   std::vector<std::string> after_growth;
-  Showing shows;  ///< component that it shows; usually none
+  ShownComponent shows;  ///< component that it shows; usually none
 };
 
 }  // namespace meristem

@@ -70,9 +70,9 @@ const ParameterTable& crown_placement_table() {
   return table;
 }
 
-std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surface, const CrownPlacement& placement,
-                                 const PlacementContext& context, Progress& progress) {
-  std::vector<AxisIndex> axes(Axes(skeleton).count());
+std::vector<Site> place_in_crown(const Skeleton& skeleton, const SurfaceOptions& surface,
+                                 const CrownPlacement& placement, const PlacementContext& context, Progress& progress) {
+  std::vector<AxisIndex> axes(SkeletonAxes(skeleton).count());
   std::iota(axes.begin(), axes.end(), 0);
   const ImplicitBody body = make_crown_body(skeleton, axes, *surface.crown);
   if (body.is_empty()) return {};

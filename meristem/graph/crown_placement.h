@@ -36,7 +36,7 @@ const ParameterTable& crown_placement_table();
 /// Returns the sites in the crown body that `surface` gives to `skeleton`. The surface must have a crown body. A site's
 /// u is its height from the crown's base (0) to its top (1), and its length is the crown's height; i and n count over
 /// all sites. Throws InputError past the limit of instances, and Cancelled.
-std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surface, const CrownPlacement& placement,
-                                 const PlacementContext& context, Progress& progress);
+std::vector<Site> place_in_crown(const Skeleton& skeleton, const SurfaceOptions& surface,
+                                 const CrownPlacement& placement, const PlacementContext& context, Progress& progress);
 
 }  // namespace meristem

@@ -19,13 +19,13 @@ Skeleton stem() {
   return skeleton;
 }
 
-Surface ball() {
-  Surface surface;
+SurfaceOptions ball() {
+  SurfaceOptions surface;
   surface.crown = CrownBody{.diameter = 2};
   return surface;
 }
 
-std::vector<Site> sites(const CrownPlacement& placement, const Limits& limits = {}) {
+std::vector<Site> sites(const CrownPlacement& placement, const SizeLimits& limits = {}) {
   Progress progress;
   PlacementContext context;
   context.limits = &limits;
@@ -81,7 +81,7 @@ TEST(CrownPlacement, Droops) {
 }
 
 TEST(CrownPlacement, StopsAtTheLimitOfInstances) {
-  Limits limits;
+  SizeLimits limits;
   limits.instances = 100;
   try {
     sites({.density = 500}, limits);

@@ -21,10 +21,10 @@ namespace meristem {
 
 /// A stem, with the facts that its children need.
 struct EmittedStem {
-  Skeleton skeleton;                           ///< the grown skeleton, world space
-  std::shared_ptr<const Surface> surface;      ///< surface options, never null
-  std::shared_ptr<const Placement> branching;  ///< placement of its branches, for keys that links do not give; may be
-                                               ///< null
+  Skeleton skeleton;                                 ///< the grown skeleton, world space
+  std::shared_ptr<const SurfaceOptions> surface;     ///< surface options, never null
+  std::shared_ptr<const BranchPlacement> branching;  ///< placement of its branches, for keys that links do not give;
+                                                     ///< may be null
   Site site;                                ///< site of the instance that made the stem, with a key of the stem's own
   bool visible = true;                      ///< false: only its children are visible
   Vec3 tint{1};                             ///< linear factors on the material's colour

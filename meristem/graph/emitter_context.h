@@ -21,7 +21,7 @@ struct EmitterContext {
   const Prototype& prototype;  ///< prototype of the instances
   const Scene& scene;
   const Directions& directions;  ///< directions of the scene
-  const Limits& limits;
+  const SizeLimits& limits;
   SharedMeshes& meshes;
   Progress* progress = nullptr;          ///< for long work in one instance
   std::string multiplier;                ///< document path of the parameter that multiplies the children, for errors

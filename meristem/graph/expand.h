@@ -10,7 +10,8 @@
 
 namespace meristem {
 
-/// Expands a graph into the tree of its instances and returns the plant that the instances make.
+/// Expands a graph into the tree of its instances and returns the plant that the instances make. `time` is the time of
+/// the document, seconds.
 ///
 /// Components that grow wait until all others above them have been expanded, then grow together in one stand. Random
 /// numbers depend on an instance's path, so editing one component leaves the others unchanged. Blocks of instances

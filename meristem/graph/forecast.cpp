@@ -87,7 +87,7 @@ class Forecast {
 
   /// Returns a fault for each limit that is passed.
   std::vector<Diagnostic> errors(bool will_place, bool will_mesh) const {
-    const Limits& limits = graph_.limits;
+    const SizeLimits& limits = graph_.limits;
     std::vector<Diagnostic> errors;
     check(instances_, {.what = "instances", .limit = limits.instances, .limit_name = "instances"}, errors);
     check(nodes_, {.what = "skeleton nodes", .limit = limits.nodes, .limit_name = "nodes"}, errors);
@@ -115,7 +115,7 @@ class Forecast {
     if (may_be_left_out) counts.nodes = 0;
     if (may_be_left_out || base.hidden) counts.grows_other = false;
     if (may_be_left_out && !base.omit_keeps_children) return {};
-    if (known.varies(member_of(base, &ComponentBase::frame, &Transform::scale))) return {};
+    if (known.varies(member_of(base, &ComponentBase::frame, &InstanceTransform::scale))) return {};
     const Vec3 scale = base.frame.scale;
     counts.child_scale =
         std::min(1.0, counts.child_scale) * std::min(1.0, std::cbrt(std::abs(double{scale.x} * scale.y * scale.z)));
@@ -134,8 +134,8 @@ class Forecast {
     if (is_together) points_[kind.component] += kind.count * counts.points;
   }
 
-  /// Returns the triangles of each component. Components of few instances are left out, because a mesh may have to be
-  /// made for the answer.
+  /// Returns the triangles of each component. Components of few instances are left out, because outlines may have to be
+  /// cut for the answer.
   std::vector<double> triangles() const {
     std::vector<double> triangles(visible_.size());
     for (std::size_t c = 0; c < triangles.size(); ++c) {
@@ -179,8 +179,8 @@ class Forecast {
     const auto* const branch = link.as<BranchLink>();
     if (branch == nullptr) return 0;
     if (!type.makes_stems) return type.has_ribs ? 0 : counts.children;
-    const Placement& placement = branch->placement;
-    const Placement plain;
+    const BranchPlacement& placement = branch->placement;
+    const BranchPlacement plain;
     const bool is_plain = !placement.where && placement.start == 0 && placement.end == 1 &&
                           placement.size == plain.size && placement.spread == plain.spread;
     if (kind.is_on_stem || !counts.bears_along || !is_plain || !placement.count || type.grows_in_time) return 0;

@@ -20,7 +20,7 @@
 namespace meristem {
 
 /// The structure of a graph's links.
-struct Structure {
+struct LinkStructure {
   /// Links that lead back to an ancestor, and the components on the way.
   struct Recursion {
     ComponentIndex head = 0;              ///< the ancestor that links from below lead back to
@@ -51,10 +51,10 @@ struct Graph {
   std::vector<std::string> site_names;  ///< names of the values that sites get: columns of tables and variables of
                                         ///< instances
   std::vector<InstanceVariable> instance_variables;  ///< each variable follows the variables that it uses
-  Structure structure;                               ///< structure of the links as analyse_structure last found them
+  LinkStructure structure;                           ///< structure of the links as analyse_structure last found them
   std::optional<Animation> animation;                ///< unset: only expressions of t change with time
   std::uint64_t seed = 0;                            ///< root of all random numbers
-  Limits limits;                                     ///< limits of the document
+  SizeLimits limits;                                 ///< limits of the document
 };
 
 /// Returns the name of a link in messages: "links[2]", or the component that made the link if it is not in the

@@ -13,15 +13,16 @@ struct ImportPose {
   enum class Up { y, z };
   Up up = Up::y;       ///< up axis of the file
   double scale = 1;    ///< metres per unit of the file
-  DVec3 rotate{0};     ///< radians, as of Transform
+  DVec3 rotate{0};     ///< radians, as of InstanceTransform
   DVec3 translate{0};  ///< metres, after scale and rotation
 
-  /// Returns the pose as a frame, from the file's coordinates to the document's.
+  /// Returns the pose as a frame, from the file's coordinates to the document's. With z up, the file's y points north,
+  /// which is -z in the document.
   DFrame frame() const;
 };
 
 const ParameterTable& import_table();  ///< the rows of ImportPose
-/// Returns the names of its rows, which stand beside a file's own rows in a table.
+/// Returns the names of the rows of ImportPose, which stand beside a file's own rows in a table.
 const std::vector<std::string>& import_names();
 
 }  // namespace meristem

@@ -17,7 +17,7 @@ const Directions& InstanceContext::directions() const {
   return own != nullptr ? *own : present_->context->directions;
 }
 
-const Limits& InstanceContext::limits() const { return present_->context->limits; }
+const SizeLimits& InstanceContext::limits() const { return present_->context->limits; }
 
 const std::string& InstanceContext::component() const { return present_->prototype().id; }
 

@@ -32,7 +32,7 @@ class InstanceContext {
   /// them to bend.
   const Directions& directions() const;
   /// Returns the limits of the document.
-  const Limits& limits() const;
+  const SizeLimits& limits() const;
   /// Returns the id of the component, for errors.
   const std::string& component() const;
   /// Returns the component's key, for random numbers that its instances share. Meshes that depend on it must include it
@@ -51,8 +51,8 @@ class InstanceContext {
   bool grows_in_time() const;
   /// Returns the growth steps per second and the seconds that shed branches stay. Used if stems grow over time.
   const Animation& animation() const;
-  /// Returns the growth of the instance that this one shows (Showing) on the same parent. Returns null if the component
-  /// does not use that growth (ComponentDefinition::watches_growth).
+  /// Returns the growth of the instance that this one shows (ShownComponent) on the same parent. Returns null if the
+  /// component does not use that growth (ComponentDefinition::watches_growth).
   const GrowthTrace* watched_growth() const;
 
  private:

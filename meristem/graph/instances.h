@@ -42,7 +42,7 @@ std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scen
 /// A clock that an instance has begun for its descendants.
 struct BegunClock {
   ComponentIndex component = 0;  ///< component of the instance
-  Clock clock;                   ///< the clock
+  InstanceClock clock;           ///< the clock
 };
 
 /// Returns the clocks that the components of a graph have begun up to a time. The clocks of a component are sorted by

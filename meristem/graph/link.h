@@ -23,8 +23,8 @@ struct ChildLink {};
 
 /// The child is multiplied along the parent's stems or ribs. On other parents it acts as a child link.
 struct BranchLink {
-  Placement placement;  ///< where the children stand
-  GivenRows given;      ///< the rows of the placement that the document gives
+  BranchPlacement placement;  ///< where the children stand
+  GivenRows given;            ///< the rows of the placement that the document gives
 };
 
 /// In a recursion the child appears only at its end. On a grown skeleton it appears at the tips.

@@ -30,7 +30,10 @@ const ParameterTable& link_table() {
 LinkReader::LinkReader(Graph& graph, ParameterReader& reader)
     : graph_(graph), reader_(reader), component_by_id_(graph.components.size()) {
   const auto id_at = [&](std::size_t c) -> std::string_view { return graph.components[c].id; };
-  for (std::size_t c = 0; c < graph.components.size(); ++c) component_by_id_.enter(graph.components[c].id, c, id_at);
+  for (std::size_t c = 0; c < graph.components.size(); ++c) {
+    reader.check_stop();
+    component_by_id_.enter(graph.components[c].id, c, id_at);
+  }
 }
 
 ComponentIndex LinkReader::component(std::string_view id) const {
@@ -52,7 +55,21 @@ void LinkReader::read(const Value& links, const DocumentPath& path) {
     return reader_.add_error(path, fmt::format("the links are {}", links.description()),
                              R"(a list such as [["view", "tree"]])");
   }
+  // A link has 600 bytes, so a list of 300,000 links that grows would move 200 MB at once, without a check whether to
+  // stop. The camera gets at most one link for each component. Memory that is not used is not touched.
+  graph_.links.reserve(list->size() + placed_count() + graph_.components.size());
   for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], DocumentPath(path, k));
+}
+
+/// Returns the number of links that link_placed will add at most.
+std::size_t LinkReader::placed_count() const {
+  std::size_t count = 0;
+  for (const Prototype& prototype : graph_.components) {
+    reader_.check_stop();
+    if (prototype.type == nullptr || !prototype.type->placed) continue;
+    count += prototype.type->placed(prototype.parameters.get()).size();
+  }
+  return count;
 }
 
 void LinkReader::read_link(const Value& value, const DocumentPath& path) {
@@ -125,6 +142,7 @@ ComponentIndex LinkReader::read_end(const Value& value, const DocumentPath& path
 
 void LinkReader::link_placed(const DocumentPath& components) {
   for (ComponentIndex from = 0; from < graph_.components.size(); ++from) {
+    reader_.check_stop();
     const Prototype& prototype = graph_.components[from];
     if (prototype.type == nullptr || !prototype.type->placed) continue;
     const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());

@@ -41,6 +41,7 @@ class LinkReader {
   ComponentIndex component(std::string_view id) const;
   /// Returns the nearest id, for a message.
   std::string nearest_id(std::string_view id);
+  std::size_t placed_count() const;
 
   NameIndex component_by_id_;
   std::vector<std::string> ids_;  // filled for the first message

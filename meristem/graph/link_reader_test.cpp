@@ -45,7 +45,7 @@ TEST(LinkReader, ALinkIsOfItsKindAlone) {
   EXPECT_TRUE(graph.links[2].is<LeafLink>());
   const auto* branch = graph.links[3].as<BranchLink>();
   ASSERT_NE(branch, nullptr);
-  EXPECT_EQ(branch->placement.count, Count(3));
+  EXPECT_EQ(branch->placement.count, PartCount(3));
   EXPECT_DOUBLE_EQ(branch->placement.angle.plain, kPi / 2);
 }
 

@@ -108,6 +108,7 @@ class LinkSites::Writer {
                              .parent = stem.site,
                              .limits = &all_.graph_.limits,
                              .obstacles = &all_.scene_.obstacles,
+                             .scene = &all_.scene_,
                              .time = all_.time_,
                              .path = link_path(all_.graph_, index_)};
     context.parent.key = child_key(stem.site.key);
@@ -137,7 +138,7 @@ class LinkSites::Writer {
 
   /// Places children along a growing stem. They get their positions on the whole stem, so that they keep them while it
   /// grows. Only positions that can carry children at the present step are used.
-  void add_placed(const EmittedStem& stem, const Skeleton& skeleton, const Placement& placement,
+  void add_placed(const EmittedStem& stem, const Skeleton& skeleton, const BranchPlacement& placement,
                   PlacementContext& context) {
     if (stem.growing == nullptr) {
       return place_in_parts(skeleton, placement, context,
@@ -161,7 +162,7 @@ class LinkSites::Writer {
   /// children do not appear or disappear suddenly.
   class BearingOverTime {
    public:
-    BearingOverTime(const EmittedStem& stem, const Placement& placement, const PlacementContext& context)
+    BearingOverTime(const EmittedStem& stem, const BranchPlacement& placement, const PlacementContext& context)
         : stem_(stem), now_(bearing_nodes(stem.skeleton, placement, context)) {
       const GrowingStem& growing = *stem.growing;
       const Skeleton& whole = stem.trimmed->whole();
@@ -314,7 +315,7 @@ class LinkSites::Writer {
   RandomKey child_key(RandomKey parent) const { return parent.child(to_.drawn_as()).child(all_.ordinals_[index_]); }
 
   void count_depth(Site& site) const {
-    const Structure& structure = all_.structure_;
+    const LinkStructure& structure = all_.structure_;
     meristem::count_depth(structure, index_, link_.to, site.depths);
     const std::uint32_t inside = structure.recursion_of[link_.to];
     if (inside != kNoIndex) site.depth = site.depths[structure.recursions[inside].level];

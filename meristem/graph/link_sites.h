@@ -53,7 +53,7 @@ class LinkSites {
   [[noreturn]] void throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const;
 
   const Graph& graph_;
-  const Structure& structure_;  // structure of the graph
+  const LinkStructure& structure_;  // structure of the graph
   const Scene& scene_;
   const Directions& directions_;  // directions of the scene
   double time_;

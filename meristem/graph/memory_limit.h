@@ -11,14 +11,14 @@ namespace meristem {
 /// Limits the memory that the results of an expansion take, in proportion to limits.instances and limits.nodes.
 class MemoryLimit {
  public:
-  explicit MemoryLimit(const Limits& limits) : limits_(limits) {}
+  explicit MemoryLimit(const SizeLimits& limits) : limits_(limits) {}
 
   /// Adds a result of a component, without its sites for children. Throws InputError with the component's id if all
   /// results together take too much memory.
   void add(const std::string& component, const BatchResult& result);
 
  private:
-  const Limits& limits_;
+  const SizeLimits& limits_;
   double held_ = 0;  // bytes
 };
 

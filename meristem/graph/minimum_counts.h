@@ -39,7 +39,7 @@ class KnownMembers {
     return find(member) != nullptr;
   }
   /// Returns the minimum number of parts of a count, or 0 if unknown.
-  double minimum(const ComponentMember<Count>& count) const { return minimum_of(find(count), count.value().value); }
+  double minimum(const ComponentMember<PartCount>& count) const { return minimum_of(find(count), count.value().value); }
   /// Returns the minimum of a whole number, or 0 if unknown.
   template <std::integral Whole>
   double minimum(const ComponentMember<Whole>& number) const {

@@ -19,52 +19,54 @@ namespace meristem {
 
 const ParameterTable& placement_table() {
   static const ParameterTable table =
-      Table<Placement>("a branch link", "Positions of children along stems.")
-          .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9, .usual = {0, 200}},
+      Table<BranchPlacement>("a branch link", "Positions of children along stems.")
+          .number("density", &BranchPlacement::density,
+                  {.unit = Unit::per_metre, .min = 0, .max = 1e9, .usual = {0, 200}},
                   "Density of the sites along the stem; 40 where neither density nor count is given.")
-          .count("count", &Placement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
+          .count("count", &BranchPlacement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
                  "Number of sites on each skeleton, divided among its axes by their length; of 3.4 sites the last one "
                  "has 0.4 of its size.")
-          .condition("where", &Placement::where, node_variables(),
+          .condition("where", &BranchPlacement::where, node_variables(),
                      "Condition for the parts of stems that bear children; by default, twigs (\"tip_distance < 0.4\") "
                      "of grown plants, and all of other stems.")
-          .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000, .usual = {1, 8}},
+          .integer("whorl", &BranchPlacement::whorl, {.min = 1, .max = 1000, .usual = {1, 8}},
                    "Number of children per site, evenly around the axis; raised above 1, whorls.")
-          .number("divergence", &Placement::divergence,
+          .number("divergence", &BranchPlacement::divergence,
                   {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
                   "Divergence angle, the turn about the axis from site to site: 137.508 for a spiral, 180 for two "
                   "rows, 90 with whorls of 2 for crossed pairs.")
-          .number("roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
+          .number("roll", &BranchPlacement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
                   "Angle of the first child around the axis, from the upper side of the stem toward its right; by "
                   "default, random.")
-          .per_site("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
+          .per_site("angle", &BranchPlacement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
                     "Angle between the axis and each child; raised, children stand off more. A link may give a range, "
                     "an expression or a sample, for one angle per child.")
-          .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
+          .number("angle_tip", &BranchPlacement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
                   "Angle between the axis and each child at the axis's tip; by default, the one given by 'angle'.")
-          .number("angle_spread", &Placement::angle_spread,
+          .number("angle_spread", &BranchPlacement::angle_spread,
                   {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 45}},
                   "Largest random deviation of the angle between axis and child, to both sides.")
-          .curve("size", &Placement::size,
+          .curve("size", &BranchPlacement::size,
                  "Scale of the children over u, from base (0) to tip (1) of each axis; where it is 0 or less, there "
                  "are no children.")
-          .curve("spread", &Placement::spread,
+          .curve("spread", &BranchPlacement::spread,
                  "Relative density of the sites over u, from base (0) to tip (1) of each axis; [[0, 0], [1, 1]] crowds "
                  "the tip.")
-          .number("droop", &Placement::droop, {.min = -1, .max = 1},
+          .number("droop", &BranchPlacement::droop, {.min = -1, .max = 1},
                   "Share of the turn of the children's heading straight down: 1 lets them hang, 0 leaves them as they "
                   "are, -1 turns them straight up.")
-          .facing("face", &Placement::face,
+          .facing("face", &BranchPlacement::face,
                   "Direction that the children's upper faces turn to, whatever the light; \"surface\" turns them away "
                   "from the nearest surface of an obstacle, as leaves on a wall.")
-          .number("face_share", &Placement::face_share, {.min = 0, .max = 1},
+          .number("face_share", &BranchPlacement::face_share, {.min = 0, .max = 1},
                   "Share of the turn of the children's upper faces to the direction of 'face': 0 leaves them as they "
                   "are, 1 turns them fully.")
-          .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
+          .number("face_light", &BranchPlacement::face_light, {.min = 0, .max = 1},
                   "Share of the turn of the children's upper faces to the light: 0 leaves them as they are, 1 turns "
                   "them fully.")
-          .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis that is left free at its base.")
-          .number("end", &Placement::end, {.min = 0, .max = 1},
+          .number("start", &BranchPlacement::start, {.min = 0, .max = 1},
+                  "Share of each axis that is left free at its base.")
+          .number("end", &BranchPlacement::end, {.min = 0, .max = 1},
                   "Position along each axis at which the sites end, as a share of its length.")
           .only_with("face", {"face_share"})
           .elsewhere({"from", "to", "kind"})
@@ -72,7 +74,7 @@ const ParameterTable& placement_table() {
   return table;
 }
 
-void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader) {
+void check_placement(const BranchPlacement& placement, const DocumentPath& path, ParameterReader& reader) {
   if (placement.density && placement.count) {
     reader.add_error(DocumentPath(path, "count"), "there is both a density and a count", "one of them");
   }
@@ -81,7 +83,7 @@ void check_placement(const Placement& placement, const DocumentPath& path, Param
   }
 }
 
-Placement overridden(Placement own, const Placement& link, const GivenRows& given) {
+BranchPlacement overridden(BranchPlacement own, const BranchPlacement& link, const GivenRows& given) {
   if (given.contains("density") || given.contains("count")) {
     own.density.reset();
     own.count.reset();
@@ -121,10 +123,12 @@ struct AxisSites {
 };
 
 /// Returns for every node whether the segment that ends in the node may carry children.
-std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
-                                         const PlacementContext& context) {
+std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const SkeletonAxes& axes,
+                                         const BranchPlacement& placement, const PlacementContext& context) {
   if (context.everywhere) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
-  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"));
+  if (placement.where) {
+    return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"), context.scene);
+  }
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
@@ -133,7 +137,7 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
 
 /// Returns the eligible pieces of one axis between `start` and `end`. The pieces of a lateral begin at its parent's
 /// bark. `root_bark` is the depth of the bark over the skeleton's root, metres.
-AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
+AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const BranchPlacement& placement,
                        const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisSites places;
   places.length = axis_length(skeleton, nodes);
@@ -175,7 +179,7 @@ double share_count(std::vector<AxisSites>& axes, double count) {
     const double due_below = std::floor(below * (before / whole) + 0.5);
     const double due_above = std::floor(above * (before / whole) + 0.5);
     const double of_below = due_below - given_below, of_above = due_above - given_above;
-    const Count places(of_below + (count - below) * (of_above - of_below));
+    const PartCount places(of_below + (count - below) * (of_above - of_below));
     axis.places = places.parts();
     axis.last = places.last();
     total += places.parts();
@@ -188,7 +192,7 @@ double share_count(std::vector<AxisSites>& axes, double count) {
 /// Shares sites out over the axes by density, or by an exact count. By density, the fraction of a site is decided at
 /// random, so that short twigs get their share on average. Returns the number of sites, as a double so that nothing
 /// overflows.
-double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
+double count_places(std::vector<AxisSites>& axes, const BranchPlacement& placement, RandomKey key) {
   if (placement.count) return share_count(axes, placement.count->value) * placement.whorl;
   double total = 0;
   const double density = placement.density.value_or(kDefaultDensity);
@@ -206,8 +210,8 @@ int first_order(const Site& parent) { return parent.stem == kOnNoStem ? 0 : pare
 /// Computes the sites of one axis, from base to tip.
 class AxisWriter {
  public:
-  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, AxisIndex axis,
-             const AxisSites& sites)
+  AxisWriter(const Skeleton& skeleton, const BranchPlacement& placement, const PlacementContext& context,
+             AxisIndex axis, const AxisSites& sites)
       : skeleton_(skeleton),
         placement_(placement),
         context_(context),
@@ -295,7 +299,7 @@ class AxisWriter {
       }
     }
     if (placement_.face_light > 0) {
-      const Pulling light = context_.directions.light(site.frame.origin);
+      const FieldPull light = context_.directions.light(site.frame.origin);
       const double share = share_pulled(placement_.face_light, light.strength);
       axes = rotation_toward(axes[2], light.toward, share, axes[1]) * axes;
     }
@@ -317,7 +321,7 @@ class AxisWriter {
   }
 
   const Skeleton& skeleton_;
-  const Placement& placement_;
+  const BranchPlacement& placement_;
   const PlacementContext& context_;
   const AxisSites& axis_;
   RandomKey key_;           // key of the children
@@ -338,27 +342,27 @@ struct PlannedSites {
 
 }  // namespace
 
-Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity) {
+Mat3 drooped(const Mat3& axes, double droop, const FieldPull& gravity) {
   if (droop == 0) return axes;
   return rotation_toward(axes[1], gravity.toward, share_pulled(droop, gravity.strength), axes[0]) * axes;
 }
 
-std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
+std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const BranchPlacement& placement,
                                         const PlacementContext& context) {
-  return eligible_nodes(skeleton, Axes(skeleton), placement, context);
+  return eligible_nodes(skeleton, SkeletonAxes(skeleton), placement, context);
 }
 
 namespace {
 
 /// Shares the sites out over the axes. Throws InputError past the limit of instances.
-PlannedSites plan_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+PlannedSites plan_along(const Skeleton& skeleton, const BranchPlacement& placement, const PlacementContext& context) {
   if (placement.face && placement.face->is_from_surface &&
       (context.obstacles == nullptr || context.obstacles->empty())) {
     throw InputError(Diagnostic{.message = "there is no obstacle whose surface the children could face away from",
                                 .expected = "an obstacle in the scene, or a direction [x, y, z]",
                                 .path = context.path + ".face"});
   }
-  const Axes axes(skeleton);
+  const SkeletonAxes axes(skeleton);
   const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
   const float root_bark = context.parent.stem == kOnNoStem ? 0 : context.parent.radius;
   std::vector<AxisSites> places(axes.count());
@@ -382,8 +386,9 @@ PlannedSites plan_along(const Skeleton& skeleton, const Placement& placement, co
 }
 
 /// Returns the sites of the axes from `begin` to before `end`.
-std::vector<Site> sites_of_axes(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context,
-                                const PlannedSites& planned, std::size_t begin, std::size_t end) {
+std::vector<Site> sites_of_axes(const Skeleton& skeleton, const BranchPlacement& placement,
+                                const PlacementContext& context, const PlannedSites& planned, std::size_t begin,
+                                std::size_t end) {
   const auto first_of = [&](std::size_t axis) {
     return axis < planned.axes.size() ? planned.axes[axis].first_site : planned.count;
   };
@@ -400,12 +405,13 @@ std::vector<Site> sites_of_axes(const Skeleton& skeleton, const Placement& place
 
 }  // namespace
 
-std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+std::vector<Site> place_along(const Skeleton& skeleton, const BranchPlacement& placement,
+                              const PlacementContext& context) {
   const PlannedSites planned = plan_along(skeleton, placement, context);
   return sites_of_axes(skeleton, placement, context, planned, 0, planned.axes.size());
 }
 
-void place_in_parts(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context,
+void place_in_parts(const Skeleton& skeleton, const BranchPlacement& placement, const PlacementContext& context,
                     FunctionRef<void(std::vector<Site>)> receive) {
   const PlannedSites planned = plan_along(skeleton, placement, context);
   const auto whorl = static_cast<std::uint64_t>(placement.whorl);
@@ -432,7 +438,7 @@ void place_in_parts(const Skeleton& skeleton, const Placement& placement, const 
 }
 
 std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent) {
-  const Axes axes(skeleton);
+  const SkeletonAxes axes(skeleton);
   std::vector<Site> sites;
   for (AxisIndex a = 0; a < axes.count(); ++a) {
     const auto nodes = axes.of(a);

@@ -53,36 +53,36 @@ Skeleton twigs(float length) {
   return skeleton;
 }
 
-GivenRows read(const Value::Object& keys, Placement& placement) {
-  ParameterReader reader({}, Limits{});
+GivenRows read(const Value::Object& keys, BranchPlacement& placement) {
+  ParameterReader reader({}, SizeLimits{});
   const DocumentPath top;
   const GivenRows given = reader.read(placement_table(), &placement, Value(keys), DocumentPath(top, "link"));
   EXPECT_EQ(reader.error_count(), 0U) << reader.diagnostics()[0].text();
   return given;
 }
 
-Placement placement(const Value::Object& keys) {
-  Placement result;
+BranchPlacement placement(const Value::Object& keys) {
+  BranchPlacement result;
   read(keys, result);
   return result;
 }
 
 // As a link with these keys makes it.
-Placement overridden_by(const Value::Object& keys, const Placement& own) {
-  Placement link;
+BranchPlacement overridden_by(const Value::Object& keys, const BranchPlacement& own) {
+  BranchPlacement link;
   const GivenRows given = read(keys, link);
   return overridden(own, link, given);
 }
 
 // Along the whole stem unless `keys` say otherwise.
-Placement everywhere(Value::Object keys) {
+BranchPlacement everywhere(Value::Object keys) {
   keys.emplace_back("where", "1");
   return placement(keys);
 }
 
-std::vector<Site> places(const Skeleton& skeleton, const Placement& placement, Vec3 light = kUp,
+std::vector<Site> places(const Skeleton& skeleton, const BranchPlacement& placement, Vec3 light = kUp,
                          std::uint64_t seed = 3) {
-  const Limits limits;
+  const SizeLimits limits;
   PlacementContext context{.directions = Directions(light), .parent = {}, .limits = &limits, .path = "links[0]"};
   context.parent.key = RandomKey(seed);
   return place_along(skeleton, placement, context);
@@ -303,7 +303,7 @@ TEST(Placement, FaceLightTurnsTheUpperFaceByItsShare) {
 }
 
 std::vector<Site> places_beside(const Skeleton& skeleton, const Value::Object& keys, const Obstacles& obstacles) {
-  const Limits limits;
+  const SizeLimits limits;
   const PlacementContext context{.parent = {}, .limits = &limits, .obstacles = &obstacles, .path = "links[0]"};
   return place_along(skeleton, everywhere(keys), context);
 }
@@ -434,7 +434,7 @@ TEST(Placement, EveryAxisHasOneTip) {
 }
 
 TEST(Placement, PlacesPastTheLimitAreCountedInTheMessage) {
-  Limits limits;
+  SizeLimits limits;
   limits.instances = 99;
   const PlacementContext context{.parent = {}, .limits = &limits, .path = "links[4]"};
   try {
@@ -447,8 +447,8 @@ TEST(Placement, PlacesPastTheLimitAreCountedInTheMessage) {
 }
 
 TEST(Placement, EqualKeysGiveEqualPlacesWhateverTheirChildrensKeys) {
-  const Limits limits;
-  const Placement keys = everywhere({{"density", 31.7}, {"angle_spread", 20}});
+  const SizeLimits limits;
+  const BranchPlacement keys = everywhere({{"density", 31.7}, {"angle_spread", 20}});
   PlacementContext context{.parent = {}, .places = RandomKey(5), .limits = &limits, .path = "links[0]"};
   context.parent.key = RandomKey(1);
   const std::vector<Site> one = place_along(twigs(0.3F), keys, context);
@@ -465,14 +465,14 @@ TEST(Placement, EqualKeysGiveEqualPlacesWhateverTheirChildrensKeys) {
 }
 
 TEST(Placement, PartsHoldTheSitesOfTheWholeInTheirOrder) {
-  const Limits limits;
+  const SizeLimits limits;
   const PlacementContext context{.parent = {}, .places = RandomKey(5), .limits = &limits, .path = "links[0]"};
   Skeleton bent = twigs(0.3F);
   add_axis(bent, 0, {0.6F, 0.8F, 0}, 50, 700);
   for (const Value::Object& keys :
        {Value::Object{{"density", 31.7}, {"angle_spread", 20}}, Value::Object{{"count", 150'000.4}},
         Value::Object{{"count", 70'000}, {"whorl", 3}, {"roll", 20}}}) {
-    const Placement placement = everywhere(keys);
+    const BranchPlacement placement = everywhere(keys);
     const std::vector<Site> whole = place_along(bent, placement, context);
     std::size_t next = 0;
     place_in_parts(bent, placement, context, [&](std::vector<Site> part) {
@@ -513,14 +513,14 @@ TEST(Placement, ADensityCurveKeepsItsCounts) {
 }
 
 TEST(Placement, ALinkOverridesWhatItIsGiven) {
-  const Placement own = placement({{"count", 5}, {"angle", 70}, {"angle_tip", 30}, {"roll", 20}, {"whorl", 3}});
+  const BranchPlacement own = placement({{"count", 5}, {"angle", 70}, {"angle_tip", 30}, {"roll", 20}, {"whorl", 3}});
   const auto with = [&](const Value::Object& keys) { return overridden_by(keys, own); };
   EXPECT_EQ(with({}), own);
-  const Placement dense = with({{"density", 8}});
+  const BranchPlacement dense = with({{"density", 8}});
   EXPECT_EQ(dense.density, 8);
   EXPECT_FALSE(dense.count);
   EXPECT_EQ(dense.whorl, 3);
-  const Placement steep = with({{"angle", 10}, {"whorl", 1}});
+  const BranchPlacement steep = with({{"angle", 10}, {"whorl", 1}});
   EXPECT_FLOAT_EQ(static_cast<float>(degrees(steep.angle.plain)), 10);
   EXPECT_FALSE(steep.angle_tip);
   EXPECT_EQ(steep.whorl, 1);
@@ -534,16 +534,16 @@ TEST(Placement, EveryKeyCanOverride) {
                            {"roll", 9},         {"angle", 9},        {"angle_tip", 8}, {"angle_spread", 9},
                            {"size", curve},     {"spread", curve},   {"droop", 0.5},   {"face_light", 0.5},
                            {"face", "surface"}, {"face_share", 0.5}, {"start", 0.1},   {"end", 0.9}};
-  EXPECT_EQ(overridden_by(keys, Placement{}), placement(keys));
+  EXPECT_EQ(overridden_by(keys, BranchPlacement{}), placement(keys));
   // All rows; count stands beside density.
-  Placement read_again;
+  BranchPlacement read_again;
   EXPECT_EQ(read(keys, read_again).count() + 1, placement_table().parameters.size());
 }
 
 TEST(Placement, KeysThatContradictAreRejected) {
   const auto error = [](const Value::Object& keys) {
-    Placement result;
-    ParameterReader reader({}, Limits{});
+    BranchPlacement result;
+    ParameterReader reader({}, SizeLimits{});
     reader.read(placement_table(), &result, keys, DocumentPath());
     return reader.error_count() == 1 ? reader.diagnostics()[0].path : "not one fault";
   };
@@ -555,7 +555,7 @@ TEST(Placement, KeysThatContradictAreRejected) {
 }
 
 TEST(Placement, ChildrenDroopToWhereGravityPulls) {
-  const Limits limits;
+  const SizeLimits limits;
   PlacementContext context{.directions = Directions(kUp, {1, 0, 0}), .limits = &limits, .path = "links[0]"};
   for (const Site& site : place_along(pole(), everywhere({{"count", 5}, {"droop", 1}}), context)) {
     EXPECT_LT(glm::distance(site.frame.heading(), Vec3(1, 0, 0)), 1e-5F);

@@ -25,7 +25,7 @@ class SharedTextures {
  public:
   /// Gives the material the texture of an earlier material if both textures are equal. Throws InputError if the
   /// textures have too many pixels together.
-  void share(Material& material, const Limits& limits) {
+  void share(Material& material, const SizeLimits& limits) {
     if (material.texture == nullptr) return;
     const auto [known, is_new] = textures_.try_emplace(material.texture->fingerprint, material.texture);
     if (!is_new) {
@@ -213,7 +213,7 @@ void PlantAssembly::turn_sections(std::vector<SurfaceSection>& sections) const {
 }
 
 /// Applies deformations to these organs, and to stems as their parts require.
-void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
+void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const SizeLimits& limits,
                            Progress& progress) {
   const auto is_deformed = [](const Stem& stem) {
     return std::ranges::any_of(stem.parts, [](const StemPart& part) { return part.deformation != nullptr; });

@@ -64,7 +64,7 @@ class PlantAssembly {
   void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant,
                     Rows& deformed) const;
   void turn_sections(std::vector<SurfaceSection>& sections) const;
-  static void deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
+  static void deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const SizeLimits& limits,
                      Progress& progress);
   std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component,
                                  const Individuals& individuals);

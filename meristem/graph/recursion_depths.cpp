@@ -7,9 +7,9 @@
 namespace meristem {
 
 bool leads_on(const Graph& graph, LinkIndex link, const RecursionDepths& depths) {
-  const Structure& structure = graph.structure;
+  const LinkStructure& structure = graph.structure;
   const auto is_at_end = [&](std::uint32_t recursion) {
-    const Structure::Recursion& found = structure.recursions[recursion];
+    const LinkStructure::Recursion& found = structure.recursions[recursion];
     return depths[found.level] + 1 >= graph.components[found.head].base().recursion;
   };
   const std::uint32_t closed = structure.recursion_of_link[link];
@@ -19,7 +19,7 @@ bool leads_on(const Graph& graph, LinkIndex link, const RecursionDepths& depths)
   return inside == kNoIndex || is_at_end(inside);
 }
 
-void count_depth(const Structure& structure, LinkIndex link, ComponentIndex to, RecursionDepths& depths) {
+void count_depth(const LinkStructure& structure, LinkIndex link, ComponentIndex to, RecursionDepths& depths) {
   const std::uint32_t closed = structure.recursion_of_link[link];
   const std::uint32_t inside = structure.recursion_of[to];
   const auto begin_anew = [&](std::size_t level) {

@@ -18,6 +18,6 @@ bool leads_on(const Graph& graph, LinkIndex link, const RecursionDepths& depths)
 
 /// Changes the depths of a parent to the depths of its children by the link. A recursion that is entered anew starts at
 /// depth 0, and so does each recursion within it.
-void count_depth(const Structure& structure, LinkIndex link, ComponentIndex to, RecursionDepths& depths);
+void count_depth(const LinkStructure& structure, LinkIndex link, ComponentIndex to, RecursionDepths& depths);
 
 }  // namespace meristem

@@ -229,7 +229,7 @@ void SiteSink::expect(std::uint64_t count) {
   if (context.instances.load(std::memory_order_relaxed) + count > context.limits.instances) throw_too_many();
 }
 
-std::uint32_t SiteSink::expect_parts(const ComponentMember<Count>& count) {
+std::uint32_t SiteSink::expect_parts(const ComponentMember<PartCount>& count) {
   parts_ = count;
   expect(count.value().parts());
   return count.value().parts();

@@ -59,7 +59,7 @@ class SiteSink {
   /// Like `expect`, for a count of the instance's parameters, which may have a fraction. The site of the last child is
   /// scaled by the fractional part. Returns the number of sites to emit. If the count has keys, each child appears when
   /// the count reaches its number.
-  std::uint32_t expect_parts(const ComponentMember<Count>& count);
+  std::uint32_t expect_parts(const ComponentMember<PartCount>& count);
   /// Returns a number for each of `count` children of the instance, in the struct's unit. Expressions use the
   /// children's i and n and own random numbers; everything else belongs to the instance.
   std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
@@ -92,10 +92,10 @@ class SiteSink {
   std::size_t first_child_ = 0;
   std::size_t first_branch_ = 0;
   std::size_t first_named_ = 0;
-  std::uint64_t uncounted_ = 0;                  // number of sites that are not yet in the context's count
-  std::uint64_t expected_ = 0;                   // the present instance's number of children, if it has announced it
-  std::optional<ComponentMember<Count>> parts_;  // the present instance's count of parts, if it has announced one
-  const Varying* keyed_parts_ = nullptr;         // keys of this count, or null
+  std::uint64_t uncounted_ = 0;  // number of sites that are not yet in the context's count
+  std::uint64_t expected_ = 0;   // the present instance's number of children, if it has announced it
+  std::optional<ComponentMember<PartCount>> parts_;  // the present instance's count of parts, if it has announced one
+  const Varying* keyed_parts_ = nullptr;             // keys of this count, or null
 };
 
 }  // namespace meristem

@@ -135,7 +135,7 @@ TEST(SiteSink, SitesAreRelativeToTheFrameOfTheInstance) {
 
 TEST(SiteSink, ASiteAfterAStemStandsOnIt) {
   grow(builder_of("stems"), [](const Probe&, const Site& site, Emitter& out) {
-    out.stems().add(straight_stem(site), Surface{});
+    out.stems().add(straight_stem(site), SurfaceOptions{});
     out.sites().add_at_tip(Frame{.origin = {0, 2, 0}}, 2, 0.01F);
   });
   ASSERT_EQ(seen().size(), 1U);

@@ -12,6 +12,7 @@
 
 #include "meristem/base/math.h"
 #include "meristem/graph/present_instance.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 
@@ -30,7 +31,7 @@ float move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
 
 }  // namespace
 
-void StemSink::add(Skeleton skeleton, const Surface& surface, const StemOptions& options) {
+void StemSink::add(Skeleton skeleton, const SurfaceOptions& surface, const StemOptions& options) {
   count_nodes(skeleton.node_count());
 
   // Take the stem back to its step of growth, and trim it by the body of the surroundings.
@@ -104,19 +105,19 @@ std::shared_ptr<const TrimmedStem> StemSink::trimmed_stem(Skeleton skeleton, con
 }
 
 /// Returns the placement of branches, or null. Stems with equal placements share it.
-std::shared_ptr<const Placement> StemSink::shared_branching(const Placement* branching) {
+std::shared_ptr<const BranchPlacement> StemSink::shared_branching(const BranchPlacement* branching) {
   if (branching == nullptr) {
     branching_ = nullptr;
   } else if (branching_ == nullptr || !(*branching_ == *branching)) {
-    branching_ = std::make_shared<const Placement>(*branching);
+    branching_ = std::make_shared<const BranchPlacement>(*branching);
   }
   return branching_;
 }
 
 /// Returns a surface with its crown in world space. Stems with equal surfaces share it.
-std::shared_ptr<const Surface> StemSink::shared_surface(Surface surface) {
+std::shared_ptr<const SurfaceOptions> StemSink::shared_surface(SurfaceOptions surface) {
   if (surface.crown) surface.crown->scale(present_->scale());
-  if (surface_ == nullptr || !(*surface_ == surface)) surface_ = std::make_shared<const Surface>(surface);
+  if (surface_ == nullptr || !(*surface_ == surface)) surface_ = std::make_shared<const SurfaceOptions>(surface);
   return surface_;
 }
 

@@ -23,8 +23,8 @@ inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching");
 
 /// Options of an emitted stem.
 struct StemOptions {
-  /// Placement of children by branch links, for keys that the links do not give. Null: the defaults of links.
-  const Placement* branching = nullptr;
+  /// BranchPlacement of children by branch links, for keys that the links do not give. Null: the defaults of links.
+  const BranchPlacement* branching = nullptr;
   TrimMode trim = TrimMode::cut;  ///< effect of a trim body of the surroundings
   /// Exponent of the pipe model, for the thickness of stems that grow over time. Larger: thinner branches.
   double pipe_exponent = 2;
@@ -39,7 +39,7 @@ class StemSink {
   /// Emits a skeleton in world space. The instance's `place` moves the skeleton, but not its children. A trim body of
   /// the surroundings trims the skeleton; later calls use the nodes of the whole skeleton. If the document's plants
   /// grow over time and the type supports it, the stem is shown at its clock's time.
-  void add(Skeleton skeleton, const Surface& surface, const StemOptions& options = {});
+  void add(Skeleton skeleton, const SurfaceOptions& surface, const StemOptions& options = {});
   /// Emits an invisible skeleton for the children of branch links.
   void add_unseen(Skeleton skeleton, TrimMode trim = TrimMode::cut);
 
@@ -69,14 +69,14 @@ class StemSink {
   std::shared_ptr<const GrowingStem> growing_stem(const Skeleton& whole, double pipe_exponent) const;
   std::shared_ptr<const TrimmedStem> trimmed_stem(Skeleton skeleton, const StemOptions& options,
                                                   const GrowingStem* growing) const;
-  std::shared_ptr<const Placement> shared_branching(const Placement* branching);
-  std::shared_ptr<const Surface> shared_surface(Surface surface);
+  std::shared_ptr<const BranchPlacement> shared_branching(const BranchPlacement* branching);
+  std::shared_ptr<const SurfaceOptions> shared_surface(SurfaceOptions surface);
   void found_roots(EmittedStem& stem);
 
   PresentInstance* present_;
-  std::vector<Skeleton> grown_;                 // of the block's instances
-  std::shared_ptr<const Placement> branching_;  // of the last emitted stem, since most stems have an equal one
-  std::shared_ptr<const Surface> surface_;      // of the last emitted stem, since most stems have an equal one
+  std::vector<Skeleton> grown_;                       // of the block's instances
+  std::shared_ptr<const BranchPlacement> branching_;  // of the last emitted stem, since most stems have an equal one
+  std::shared_ptr<const SurfaceOptions> surface_;     // of the last emitted stem, since most stems have an equal one
 };
 
 }  // namespace meristem

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 TEST(StemSink, AStemThatIsWholeKeepsItsLengthAndFrames) {
   const Plant plant = grow(builder_of("stems"), [](const Probe&, const Site& site, Emitter& out) {
-    out.stems().add(straight_stem(site), Surface{});
+    out.stems().add(straight_stem(site), SurfaceOptions{});
     EXPECT_EQ(out.stems().length_left(), 1);
     for (const NodeIndex node : {NodeIndex{2}, kNoNode}) {
       const auto frame = out.stems().on_rest(node, shifted(3));
@@ -37,7 +37,7 @@ TEST(StemSink, AnUnseenStemBearsChildrenAndIsNotInThePlant) {
     builder.component("view", "camera").component("probe", "stems").component("seer", "seer");
     builder.link("view", "probe").link("probe", "seer", LinkKind::branch, {{"count", 4}});
     const Plant plant = grow(builder, [&](const Probe&, const Site& site, Emitter& out) {
-      is_seen ? out.stems().add(straight_stem(site), Surface{}) : out.stems().add_unseen(straight_stem(site));
+      is_seen ? out.stems().add(straight_stem(site), SurfaceOptions{}) : out.stems().add_unseen(straight_stem(site));
     });
     EXPECT_EQ(plant.stems.size(), is_seen ? 1U : 0U);
     std::vector<float> heights;
@@ -54,7 +54,7 @@ TEST(StemSink, TooManyNodesOfStemsAreAnInputError) {
   builder.node_limit(5);
   const auto errors = errors_of([&] {
     grow(builder, [](const Probe&, const Site& site, Emitter& out) {
-      for (int k = 0; k < 2; ++k) out.stems().add(straight_stem(site), Surface{});
+      for (int k = 0; k < 2; ++k) out.stems().add(straight_stem(site), SurfaceOptions{});
     });
   });
   ASSERT_EQ(errors.size(), 1U);
@@ -66,8 +66,9 @@ TEST(StemSink, PlaceMovesTheVisibleStemAndNotItsChildren) {
   builder.component("view", "camera").component("seer", "seer");
   builder.component("probe", "stems", {{"place", Value::Object{{"translate", Value::List{5.0, 0.0, 0.0}}}}});
   builder.link("view", "probe").link("probe", "seer", LinkKind::branch, {{"count", 1}});
-  const Plant plant = grow(
-      builder, [](const Probe&, const Site& site, Emitter& out) { out.stems().add(straight_stem(site), Surface{}); });
+  const Plant plant = grow(builder, [](const Probe&, const Site& site, Emitter& out) {
+    out.stems().add(straight_stem(site), SurfaceOptions{});
+  });
   ASSERT_EQ(plant.stems.size(), 1U);
   EXPECT_EQ(plant.stems[0].skeleton.position[0].x, 5);
   ASSERT_EQ(seen().size(), 1U);
@@ -88,7 +89,7 @@ TEST(StemSink, EachStemOfAnInstanceHasAKeyOfItsOwnForItsChildren) {
   grow(builder_of("stems"), [&](const Probe&, const Site& site, Emitter& out) {
     for (int k = 0; k < 3; ++k) {
       keys.insert(out.stems().places_on_next().bits());
-      out.stems().add(straight_stem(site), Surface{});
+      out.stems().add(straight_stem(site), SurfaceOptions{});
     }
   });
   EXPECT_EQ(keys.size(), 3U);
@@ -99,8 +100,8 @@ TEST(StemSink, EachRootOfTheFirstStemOfAPlantIsAPlant) {
     Skeleton two = straight_stem(site);
     two.add_node(kNoNode, site.frame.point({4, 0, 0}), 0);
     two.radius.back() = 0.01F;
-    out.stems().add(std::move(two), Surface{});
-    out.stems().add(straight_stem(site), Surface{});
+    out.stems().add(std::move(two), SurfaceOptions{});
+    out.stems().add(straight_stem(site), SurfaceOptions{});
   });
   ASSERT_EQ(plant.individuals.size(), 2U);
   EXPECT_EQ(plant.individuals[1].foot, Vec3(4, 0, 0));

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/free_later.h"
+#include "meristem/graph/flat_lists.h"
 #include "meristem/graph/graph.h"
 
 namespace meristem {
@@ -24,21 +26,22 @@ class Analysis {
     structure_.outgoing.resize(graph.components.size());
     structure_.recursion_of_link.assign(graph.links.size(), kNoIndex);
     structure_.recursion_of.assign(graph.components.size(), kNoIndex);
-    incoming_.resize(graph.components.size());
     spans_.resize(graph.components.size());
   }
 
-  Structure run() {
+  /// Returns what has been found so far.
+  LinkStructure take() { return std::move(structure_); }
+
+  LinkStructure run() {
     const std::size_t errors_before = diagnostics_.size();
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       check(k);
       structure_.outgoing[graph_.links[k].from].push_back(k);
-      incoming_[graph_.links[k].to].push_back(k);
     }
     find_root();
     if (diagnostics_.size() == errors_before) find_recursions();
     if (diagnostics_.size() == errors_before) order_recursions();
-    return std::move(structure_);
+    return take();
   }
 
  private:
@@ -60,6 +63,7 @@ class Analysis {
   void find_root() {
     structure_.root = kNoIndex;
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (!graph_.components[c].type->is_camera) continue;
       if (structure_.root != kNoIndex) {
         add_error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
@@ -71,6 +75,7 @@ class Analysis {
     if (structure_.root == kNoIndex)
       add_error("components", "the graph has no camera", "one camera, the root of all links");
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
+      check(k);
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
         add_error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
@@ -118,6 +123,7 @@ class Analysis {
                 fmt::format("at most {} recursions", kMaxRecursions));
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       if (state[c] == State::unseen) {
         add_error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
                   fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
@@ -129,7 +135,7 @@ class Analysis {
   void close_recursion(LinkIndex link, Iterator path_begin, Iterator path_end) {
     const ComponentIndex head = graph_.links[link].to;
     const auto head_at = std::find_if(path_begin, path_end, [&](const auto& v) { return v.component == head; });
-    Structure::Recursion recursion{.head = head};
+    LinkStructure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
       add_error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
@@ -139,7 +145,7 @@ class Analysis {
     structure_.recursions.push_back(std::move(recursion));
   }
 
-  std::string cycle_text(const Structure::Recursion& recursion) const {
+  std::string cycle_text(const LinkStructure::Recursion& recursion) const {
     std::string text;
     for (std::size_t k = 0; k < recursion.members.size(); ++k) {
       if (k == kShownMembers) return text + "... > " + id(recursion.members.back()) + " > " + id(recursion.head);
@@ -150,9 +156,9 @@ class Analysis {
 
   /// Checks that recursions lie apart or within one another, and numbers their levels from the outermost.
   void order_recursions() {
-    std::vector<Structure::Recursion>& recursions = structure_.recursions;
+    std::vector<LinkStructure::Recursion>& recursions = structure_.recursions;
     std::vector<std::vector<bool>> members;
-    for (const Structure::Recursion& recursion : recursions) members.push_back(members_of(recursion));
+    for (const LinkStructure::Recursion& recursion : recursions) members.push_back(members_of(recursion));
     for (std::size_t a = 0; a < recursions.size(); ++a) {
       for (std::size_t b = 0; b < recursions.size(); ++b) {
         if (cross(recursions[a], members[a], recursions[b], members[b])) {
@@ -163,8 +169,12 @@ class Analysis {
       }
     }
     std::vector<std::vector<bool>> bodies;
-    for (const Structure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
-    for (Structure::Recursion& inner : recursions) {
+    if (!recursions.empty()) {
+      incoming_ = make_flat_lists(graph_.components.size(), graph_.links.size(),
+                                  [&](std::size_t k) { return graph_.links[k].to; });
+    }
+    for (const LinkStructure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
+    for (LinkStructure::Recursion& inner : recursions) {
       std::set<ComponentIndex> outer_heads;
       for (std::size_t a = 0; a < recursions.size(); ++a) {
         const ComponentIndex head = recursions[a].head;
@@ -178,6 +188,7 @@ class Analysis {
       }
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      check(c);
       std::uint32_t& innermost = structure_.recursion_of[c];
       for (std::uint32_t r = 0; r < recursions.size(); ++r) {
         if (bodies[r][c] && (innermost == kNoIndex || recursions[innermost].level < recursions[r].level)) innermost = r;
@@ -186,13 +197,13 @@ class Analysis {
   }
 
   /// Returns true if b begins on a's way below its head, follows that way for a while, and ends beyond it.
-  static bool cross(const Structure::Recursion& a, const std::vector<bool>& in_a, const Structure::Recursion& b,
+  static bool cross(const LinkStructure::Recursion& a, const std::vector<bool>& in_a, const LinkStructure::Recursion& b,
                     const std::vector<bool>& in_b) {
     const ComponentIndex a_tail = a.members.back();
     return b.head != a.head && b.head != a_tail && in_a[b.head] && in_b[a_tail] && !in_a[b.members.back()];
   }
 
-  std::vector<bool> members_of(const Structure::Recursion& recursion) const {
+  std::vector<bool> members_of(const LinkStructure::Recursion& recursion) const {
     std::vector<bool> inside(graph_.components.size());
     for (const ComponentIndex member : recursion.members) inside[member] = true;
     return inside;
@@ -200,7 +211,7 @@ class Analysis {
 
   /// Returns all components below the head from which the recursion's last member can be reached without passing the
   /// head.
-  std::vector<bool> body(const Structure::Recursion& recursion) const {
+  std::vector<bool> body(const LinkStructure::Recursion& recursion) const {
     const Span below = spans_[recursion.head];
     std::vector<bool> inside(graph_.components.size());
     std::vector<ComponentIndex> open{recursion.members.back()};
@@ -210,7 +221,7 @@ class Analysis {
       const ComponentIndex component = open.back();
       open.pop_back();
       if (component == recursion.head) continue;
-      for (const LinkIndex link : incoming_[component]) {
+      for (const LinkIndex link : incoming_.of(component)) {
         const ComponentIndex from = graph_.links[link].from;
         if (inside[from] || spans_[from].first < below.first || spans_[from].first >= below.end) continue;
         inside[from] = true;
@@ -230,9 +241,9 @@ class Analysis {
   const Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   const Progress* progress_;
-  Structure structure_;
-  std::vector<std::vector<LinkIndex>> incoming_;  // by component
-  std::vector<Span> spans_;                       // by component
+  LinkStructure structure_;
+  FlatLists incoming_;       // links by component; only if there are recursions
+  std::vector<Span> spans_;  // by component
   std::size_t errors_ = 0;
 };
 
@@ -244,7 +255,13 @@ std::string link_path(const Graph& graph, LinkIndex link) {
 }
 
 void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress) {
-  graph.structure = Analysis(graph, diagnostics, progress).run();
+  Analysis analysis(graph, diagnostics, progress);
+  try {
+    graph.structure = analysis.run();
+  } catch (const Cancelled&) {
+    free_later(analysis.take());
+    throw;
+  }
 }
 
 }  // namespace meristem

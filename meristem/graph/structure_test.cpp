@@ -31,11 +31,11 @@ std::string error(const GraphBuilder& builder) {
   return errors.empty() ? "" : errors[0];
 }
 
-Structure structure_of(const GraphBuilder& builder) { return builder.sound_graph().structure; }
+LinkStructure structure_of(const GraphBuilder& builder) { return builder.sound_graph().structure; }
 
 // The level of the recursion with this head.
 std::size_t level_of(const GraphBuilder& builder, char head) {
-  for (const Structure::Recursion& recursion : structure_of(builder).recursions) {
+  for (const LinkStructure::Recursion& recursion : structure_of(builder).recursions) {
     if (builder.graph().components[recursion.head].id[0] == head) return recursion.level;
   }
   ADD_FAILURE() << "no recursion at " << head;
@@ -48,7 +48,7 @@ TEST(Structure, ChainsAndDiamondsHaveNoRecursion) {
 
 TEST(Structure, ALinkToAnAncestorIsARecursionFromThere) {
   const auto builder = graph(3, {{"v", "A"}, {"A", "B"}, {"B", "C"}, {"C", "B"}});
-  const Structure structure = structure_of(builder);
+  const LinkStructure structure = structure_of(builder);
   ASSERT_EQ(structure.recursions.size(), 1U);
   EXPECT_EQ(structure.recursions[0].head, 2U);
   EXPECT_EQ(structure.recursion_of_link, (std::vector<std::uint32_t>{kNoIndex, kNoIndex, kNoIndex, 0}));

@@ -15,7 +15,7 @@ struct Result {
 
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
-  ParameterReader reader({}, Limits{}, {.folder = folder});
+  ParameterReader reader({}, SizeLimits{}, {.folder = folder});
   const DocumentPath top;
   reader.read(texture_table(), &result.form, value, DocumentPath(top, "texture"));
   result.errors = reader.take_diagnostics();

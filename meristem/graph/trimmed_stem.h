@@ -68,7 +68,7 @@ class TrimmedStem {
   std::vector<float> whole_arc_;
   std::vector<float> left_arc_;
   std::vector<float> whole_length_;
-  std::optional<Axes> left_axes_;
+  std::optional<SkeletonAxes> left_axes_;
   std::vector<AxisIndex> left_axis_;
 };
 

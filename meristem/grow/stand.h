@@ -44,9 +44,9 @@ class Grower {
 };
 
 /// A resource that the plants of a stand share and compete for, such as a cloud of attraction points.
-class Commons {
+class StandCommons {
  public:
-  virtual ~Commons() = default;
+  virtual ~StandCommons() = default;
   /// Applies the changes that plants reported in the previous round. Called before each round.
   virtual void begin_round(Progress& progress) = 0;
   /// Applies the changes of the last round if they are recorded. Called once after all growth.
@@ -85,7 +85,7 @@ class Stand {
 
   struct Shared {
     std::type_index type;
-    std::unique_ptr<Commons> commons;
+    std::unique_ptr<StandCommons> commons;
   };
   std::vector<Shared> commons_;
   std::vector<std::unique_ptr<Grower>> members_;

@@ -60,7 +60,7 @@ void StandSpace::begin_round(Progress& progress) {
 }
 
 void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
-  std::vector<Shader> shaders;
+  std::vector<ShadeSource> shaders;
   shaders.reserve(changes_.shoots_.size());
   for (const ShootChanges::Shoot& shoot : changes_.shoots_) {
     // Ignore shoots too far away for a fine grid: their shade does not matter.
@@ -97,13 +97,13 @@ void StandSpace::share_out(Field& felt, Progress& progress) {
   bool any_looks = false;
   for (RoomSeeker* const plant : felt.seekers) any_looks = plant->begin_round() || any_looks;
   if (!any_looks) return;
-  std::vector<Seeker> seekers;
+  std::vector<SpaceSeeker> seekers;
   std::vector<std::size_t> first{0};
   for (const RoomSeeker* plant : felt.seekers) {
     plant->list_seekers(seekers);
     first.push_back(seekers.size());
   }
-  std::vector<Room> rooms(seekers.size());
+  std::vector<BudRoom> rooms(seekers.size());
   try {
     felt.field.share_out(seekers, rooms, progress, felt.max_bytes);
   } catch (const MarkerField::TooMuchMemory&) {

@@ -24,9 +24,9 @@ class RoomSeeker {
   /// nothing is shared out.
   virtual bool begin_round() = 0;
   /// Appends the plant's current buds. take_room() later receives one result per bud, in this order.
-  virtual void list_seekers(std::vector<Seeker>& seekers) const = 0;
+  virtual void list_seekers(std::vector<SpaceSeeker>& seekers) const = 0;
   /// Receives the results of this round, one per bud that list_seekers() has listed.
-  virtual void take_room(std::span<const Room> rooms) = 0;
+  virtual void take_room(std::span<const BudRoom> rooms) = 0;
 };
 
 /// The leafy shoots that a plant has grown and lost, in order.
@@ -50,7 +50,7 @@ class ShootChanges {
 
 /// Changes of a round take effect in the next round. Plants report changes after their steps. During steps they only
 /// read.
-class StandSpace : public Commons {
+class StandSpace : public StandCommons {
  public:
   /// Returns the shade grid for these parameters; equal parameters share one grid. References stay valid. Growth throws
   /// InputError at the document path `path` if the grid would need more than `max_bytes`. Call it before the first

@@ -122,8 +122,8 @@ TEST(StandSpace, WhatIsTooFarAwayForAFineGridDoesNotMatterToIt) {
 class SecondRoundSeeker : public RoomSeeker {
  public:
   bool begin_round() override { return round_++ % 2 == 0; }
-  void list_seekers(std::vector<Seeker>& seekers) const override { seekers.push_back({.radius = 2}); }
-  void take_room(std::span<const Room> rooms) override {
+  void list_seekers(std::vector<SpaceSeeker>& seekers) const override { seekers.push_back({.radius = 2}); }
+  void take_room(std::span<const BudRoom> rooms) override {
     ++answers_;
     count_ = rooms[0].count;
   }

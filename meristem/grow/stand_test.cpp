@@ -41,7 +41,7 @@ TEST(Stand, MembersTellInTurnUntilEachIsDone) {
 }
 
 // Writes a bar to the log before each round.
-class Bars : public Commons {
+class Bars : public StandCommons {
  public:
   void begin_round(Progress&) override { *log += '|'; }
   std::string* log = nullptr;

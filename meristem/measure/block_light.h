@@ -11,7 +11,7 @@
 #include "meristem/measure/organ_light.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

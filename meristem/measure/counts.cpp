@@ -24,9 +24,9 @@ std::uint64_t axes_of(const Plant& plant) {
 
 }  // namespace
 
-Counts count(const Plant& plant, const MeshScene& meshes) {
+PlantCounts count(const Plant& plant, const MeshScene& meshes) {
   const PlantTotals totals = totals_of(plant);
-  Counts counts;
+  PlantCounts counts;
   counts.nodes = totals.nodes;
   counts.axes = axes_of(plant);
   counts.organs = totals.organs;

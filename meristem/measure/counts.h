@@ -4,12 +4,12 @@
 #include <cstdint>
 
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
 /// The sizes that all programs report after growing.
-struct Counts {
+struct PlantCounts {
   std::uint64_t nodes = 0;      ///< nodes of all skeletons
   std::uint64_t axes = 0;       ///< axes of all skeletons
   std::uint64_t organs = 0;     ///< organs
@@ -19,6 +19,6 @@ struct Counts {
 };
 
 /// Counts what has grown, and measures how high it is.
-Counts count(const Plant& plant, const MeshScene& meshes);
+PlantCounts count(const Plant& plant, const MeshScene& meshes);
 
 }  // namespace meristem

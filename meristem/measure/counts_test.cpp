@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem::counts_test {
@@ -28,7 +29,7 @@ TEST(Counts, AddUpStemsAndOrgans) {
 
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
-  const Counts counts = count(plant, scene);
+  const PlantCounts counts = count(plant, scene);
   EXPECT_EQ(counts.nodes, 5U);
   EXPECT_EQ(counts.axes, 3U);
   EXPECT_EQ(counts.organs, 3U);
@@ -39,7 +40,7 @@ TEST(Counts, AddUpStemsAndOrgans) {
 }
 
 TEST(Counts, AnEmptyPlantHasNothing) {
-  const Counts counts = count({}, {});
+  const PlantCounts counts = count({}, {});
   EXPECT_EQ(counts.nodes + counts.axes + counts.organs + counts.triangles + counts.instances, 0U);
   EXPECT_EQ(counts.height, 0);
 }

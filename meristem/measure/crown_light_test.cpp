@@ -170,7 +170,7 @@ TEST(CrownLight, OfTheEvaluationTreeIsWhatIsKnown) {
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Skeleton skeleton = grow_evaluation_tree(evaluation_cloud(seed), Scene(), {});
-    sum += measure_crown_light(measure_form(skeleton, Children(skeleton)).crown_hull, scene).lit_share;
+    sum += measure_crown_light(measure_form(skeleton, NodeChildren(skeleton)).crown_hull, scene).lit_share;
   }
   EXPECT_NEAR(sum / 10, 0.477, 0.016);
 }

@@ -80,7 +80,7 @@ struct Measured {
 };
 
 Measured measured(const std::string& file) {
-  const MtgTree tree = read_mtg(read_file(file, Limits{}.file_bytes), file, {});
+  const MtgTree tree = read_mtg(read_file(file, SizeLimits{}.file_bytes), file, {});
   Measured result{.read = skeleton_of(tree, file, {.length_unit = 0.01, .diameter_unit = 0.001}, {}), .measures = {}};
   Progress progress;
   const Skeleton* const skeleton = &result.read.skeleton;
@@ -88,7 +88,7 @@ Measured measured(const std::string& file) {
   return result;
 }
 
-void expect_spread(const Distribution& found, const Spread& known, double unit, double tolerance) {
+void expect_spread(const SampleStatistics& found, const Spread& known, double unit, double tolerance) {
   EXPECT_EQ(found.count, known.count);
   EXPECT_NEAR(found.low * unit, known.low, tolerance);
   EXPECT_NEAR(found.median * unit, known.median, tolerance);

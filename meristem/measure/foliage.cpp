@@ -117,10 +117,10 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress) {
   return surfaces.areas(plant, progress);
 }
 
-Foliage measure_foliage(const Plant& plant, const Limits& limits, Progress& progress) {
+FoliageMeasures measure_foliage(const Plant& plant, const SizeLimits& limits, Progress& progress) {
   progress.begin("measuring", totals_of(plant).organs);
   MaskedSurfaces surfaces;
-  Foliage foliage;
+  FoliageMeasures foliage;
   expand_in_blocks(plant, limits, progress, [&](const Plant& block) {
     surfaces.add_new(block);
     const std::vector<OrganArea> areas = surfaces.areas(block, progress);
@@ -218,7 +218,7 @@ class LayerSum {
 
 }  // namespace
 
-LeafLayers measure_leaf_layers(const Plant& plant, const Limits& limits, double layer_height, Progress& progress) {
+LeafLayers measure_leaf_layers(const Plant& plant, const SizeLimits& limits, double layer_height, Progress& progress) {
   const std::uint64_t organs = totals_of(plant).organs;
   progress.begin("measuring", organs);
   Span heights = kNoSpan;

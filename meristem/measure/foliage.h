@@ -18,7 +18,7 @@ struct OrganArea {
 
 /// The leaves of a plant. A leaf is an organ with a two-sided material: a blade without thickness, such as the
 /// component `leaf` makes. Petals from this component count as leaves. Closed organs such as fruits do not.
-struct Foliage {
+struct FoliageMeasures {
   std::uint64_t leaves = 0;  ///< number of leaves
   double area = 0;           ///< square metres of blades, one side, without the holes of their textures
   double petiole_area = 0;   ///< surface of their petioles, square metres
@@ -58,12 +58,12 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 
 /// Adds up the leaves of a plant. Begins one stage of `progress`, which counts organs. The sums are equal on any number
 /// of threads. Throws like organ_areas.
-Foliage measure_foliage(const Plant& plant, const Limits& limits, Progress& progress);
+FoliageMeasures measure_foliage(const Plant& plant, const SizeLimits& limits, Progress& progress);
 
 /// Returns the leaf area in layers of height `layer_height` in metres, counted from y = 0. Triangles are cut at the
-/// borders of the layers, and the holes of a triangle are spread evenly over it. The layers add up to Foliage::area.
-/// Begins two stages of `progress`, which count organs. The areas are equal on any number of threads. Throws like
-/// organ_areas, and InputError for more than 100,000 layers.
-LeafLayers measure_leaf_layers(const Plant& plant, const Limits& limits, double layer_height, Progress& progress);
+/// borders of the layers, and the holes of a triangle are spread evenly over it. The layers add up to
+/// FoliageMeasures::area. Begins two stages of `progress`, which count organs. The areas are equal on any number of
+/// threads. Throws like organ_areas, and InputError for more than 100,000 layers.
+LeafLayers measure_leaf_layers(const Plant& plant, const SizeLimits& limits, double layer_height, Progress& progress);
 
 }  // namespace meristem

@@ -33,7 +33,7 @@ Plant leaves_and_fruits() {
   return plant;
 }
 
-Foliage measured(const Plant& plant) {
+FoliageMeasures measured(const Plant& plant) {
   Progress progress;
   return measure_foliage(plant, {}, progress);
 }
@@ -41,7 +41,7 @@ Foliage measured(const Plant& plant) {
 TEST(Foliage, CountsTwoSidedOrgansOnly) {
   Plant plant = leaves_and_fruits();
   for (std::uint32_t k = 0; k < 10; ++k) plant.organs.push_back({.prototype = k % 2});
-  const Foliage foliage = measured(plant);
+  const FoliageMeasures foliage = measured(plant);
   EXPECT_EQ(foliage.leaves, 5U);
   EXPECT_DOUBLE_EQ(foliage.area, 5);
 }
@@ -118,12 +118,12 @@ TEST(Foliage, PetiolesAreApart) {
   Plant plant = leaves_and_fruits();
   plant.prototypes[0].mesh = std::make_shared<const Mesh>(make_leaf_blade(blade));
   plant.organs.resize(1);
-  const Foliage plain = measured(plant);
+  const FoliageMeasures plain = measured(plant);
   EXPECT_EQ(plain.petiole_area, 0);
   blade.petiole = 0.08;
   blade.petiole_radius = 0.001;
   plant.prototypes[0].mesh = std::make_shared<const Mesh>(make_leaf_blade(blade));
-  const Foliage stalked = measured(plant);
+  const FoliageMeasures stalked = measured(plant);
   EXPECT_NEAR(stalked.area, plain.area, 1e-9);
   // Three sides of a prism in a circle of 1 mm, and a little that extends into the midrib.
   const double prism = 3 * std::sqrt(3.0) * 0.001 * 0.08;

@@ -47,7 +47,7 @@ void ForkSamples::append(const ForkSamples& other) {
   pipe_unsolved += other.pipe_unsolved;
 }
 
-ForkSamples sample_forks(const Skeleton& skeleton, const Children& children, double fork_diameter) {
+ForkSamples sample_forks(const Skeleton& skeleton, const NodeChildren& children, double fork_diameter) {
   ForkSamples samples;
   std::vector<double> radii;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {

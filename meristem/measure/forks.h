@@ -27,11 +27,13 @@ struct ForkSamples {
 };
 
 /// Measures the forks and laterals of a skeleton. `fork_diameter` (metres): only forks whose parent is at least this
-/// thick have an area ratio. Forks with a radius of 0 are left out.
-ForkSamples sample_forks(const Skeleton& skeleton, const Children& children, double fork_diameter);
+/// thick have an area ratio. Forks where the parent or a child has a radius of 0 have only their angles, and do not
+/// count in `pipe_unsolved`.
+ForkSamples sample_forks(const Skeleton& skeleton, const NodeChildren& children, double fork_diameter);
 
-/// Returns the exponent n with r^n = sum of r_i^n, found by bisection. Returns nothing if a child is as thick as its
-/// parent, because then no n exists, or if n is above 100. Radii must be above 0.
+/// Returns the exponent n with r^n = sum of r_i^n, found by bisection. Returns nothing if there are fewer than two
+/// children, or if a child is at least as thick as its parent, because then no n exists. Returns nothing if n is above
+/// 100. Radii must be above 0.
 std::optional<double> pipe_exponent(double parent_radius, std::span<const double> child_radii);
 
 }  // namespace meristem

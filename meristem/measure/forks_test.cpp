@@ -26,7 +26,7 @@ Skeleton with_laterals(const std::vector<double>& angles) {
 }
 
 ForkSamples sample(const Skeleton& skeleton, double fork_diameter = 0) {
-  return sample_forks(skeleton, Children(skeleton), fork_diameter);
+  return sample_forks(skeleton, NodeChildren(skeleton), fork_diameter);
 }
 
 TEST(Forks, BranchingAnglesAreThoseBuilt) {

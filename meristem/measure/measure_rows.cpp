@@ -36,19 +36,19 @@ MeasureValue angle(const Measures& measures) {
 }
 
 /// Returns one figure of a distribution, or no value if the distribution has no numbers.
-template <Distribution Measures::*Samples, double Distribution::*Figure>
+template <SampleStatistics Measures::*Samples, double SampleStatistics::*Figure>
 MeasureValue figure(const Measures& measures) {
-  const Distribution& samples = measures.*Samples;
+  const SampleStatistics& samples = measures.*Samples;
   return samples.count > 0 ? MeasureValue(samples.*Figure) : MeasureValue();
 }
 
-template <double Distribution::*Figure>
+template <double SampleStatistics::*Figure>
 MeasureValue branching_angle(const Measures& measures) {
-  const Distribution& angles = measures.branching_angle;
+  const SampleStatistics& angles = measures.branching_angle;
   return angles.count > 0 ? MeasureValue(degrees(angles.*Figure)) : MeasureValue();
 }
 
-template <Distribution Measures::*Samples>
+template <SampleStatistics Measures::*Samples>
 MeasureValue count_of(const Measures& measures) {
   return shown(std::uint64_t{(measures.*Samples).count});
 }
@@ -111,15 +111,15 @@ constexpr std::array kRows = {
     MeasureRow{"branching_angle_mean", "°",
                "Mean branching angle: between a lateral's first segment and its parent's segment that ends at the "
                "fork. Laterals on the root do not count.",
-               branching_angle<&Distribution::mean>},
+               branching_angle<&SampleStatistics::mean>},
     MeasureRow{"branching_angle_spread", "°", "Standard deviation of the branching angles.",
-               branching_angle<&Distribution::spread>},
+               branching_angle<&SampleStatistics::spread>},
     MeasureRow{"branching_angle_low", "°", "5th percentile of the branching angles.",
-               branching_angle<&Distribution::low>},
+               branching_angle<&SampleStatistics::low>},
     MeasureRow{"branching_angle_median", "°", "Median of the branching angles.",
-               branching_angle<&Distribution::median>},
+               branching_angle<&SampleStatistics::median>},
     MeasureRow{"branching_angle_high", "°", "95th percentile of the branching angles.",
-               branching_angle<&Distribution::high>},
+               branching_angle<&SampleStatistics::high>},
     MeasureRow{"branching_angle_count", "",
                "Number of branching angles that were measured; segments without length have none.",
                count_of<&Measures::branching_angle>},
@@ -135,11 +135,11 @@ constexpr std::array kRows = {
     MeasureRow{"pipe_exponent", "",
                "Median pipe exponent: the n with which the radius below a fork to the power of n is the sum of those "
                "above it.",
-               figure<&Measures::pipe_exponent, &Distribution::median>},
+               figure<&Measures::pipe_exponent, &SampleStatistics::median>},
     MeasureRow{"pipe_exponent_low", "", "5th percentile of the forks' pipe exponents.",
-               figure<&Measures::pipe_exponent, &Distribution::low>},
+               figure<&Measures::pipe_exponent, &SampleStatistics::low>},
     MeasureRow{"pipe_exponent_high", "", "95th percentile of the forks' pipe exponents.",
-               figure<&Measures::pipe_exponent, &Distribution::high>},
+               figure<&Measures::pipe_exponent, &SampleStatistics::high>},
     MeasureRow{"pipe_exponent_count", "", "Number of forks with a pipe exponent.", count_of<&Measures::pipe_exponent>},
     MeasureRow{
         "pipe_exponent_none", "",
@@ -148,11 +148,11 @@ constexpr std::array kRows = {
     MeasureRow{"area_ratio_median", "",
                "Median over forks from 2 cm in diameter (`--fork-diameter`) of the children's cross-sections over the "
                "parent's; 1 keeps the area.",
-               figure<&Measures::area_ratio, &Distribution::median>},
+               figure<&Measures::area_ratio, &SampleStatistics::median>},
     MeasureRow{"area_ratio_low", "", "5th percentile of the forks' area ratios.",
-               figure<&Measures::area_ratio, &Distribution::low>},
+               figure<&Measures::area_ratio, &SampleStatistics::low>},
     MeasureRow{"area_ratio_high", "", "95th percentile of the forks' area ratios.",
-               figure<&Measures::area_ratio, &Distribution::high>},
+               figure<&Measures::area_ratio, &SampleStatistics::high>},
     MeasureRow{"area_ratio_count", "", "Number of forks with an area ratio.", count_of<&Measures::area_ratio>},
     MeasureRow{"leaf_count", "", "Number of leaves: organs with a two-sided material, such as `leaf` makes.",
                member<&Measures::leaf_count>},

@@ -14,7 +14,7 @@
 #include "meristem/measure/masked_surfaces.h"
 #include "meristem/measure/stand_sum.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/body_meshes.h"
+#include "meristem/shape/stem/body_meshes.h"
 
 namespace meristem {
 namespace {
@@ -52,7 +52,7 @@ std::size_t individual_count(const std::vector<Individual>& individuals) {
 
 /// The leaves, and the light on them if it is known.
 struct Leaves {
-  Foliage foliage;
+  FoliageMeasures foliage;
   MeanLight light;
 
   void tell(Measures& measures) const {
@@ -208,7 +208,7 @@ class PlantMeasurer {
   Leaves leaves_;
   std::vector<Leaves> of_individual_;
   bool are_apart_ = true;
-  Thickening thickening_;
+  BodyThickening thickening_;
 };
 
 }  // namespace
@@ -229,7 +229,7 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   return trees.finish();
 }
 
-std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Limits& limits, const Progress& progress) {
+std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const SizeLimits& limits, const Progress& progress) {
   std::vector<std::uint32_t> individual_of_tree;
   std::vector<std::uint32_t> individual_of_organ;
   const std::vector<Individual> individuals = expand_in_blocks(plant, limits, progress, [&](const Plant& block) {
@@ -244,7 +244,7 @@ std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Limits& lim
 namespace {
 
 /// Measures a plant, without meshes if `meshes` is null.
-StandMeasures measured(const Plant& plant, const Limits& limits, const MeshScene* meshes, const Scene& scene,
+StandMeasures measured(const Plant& plant, const SizeLimits& limits, const MeshScene* meshes, const Scene& scene,
                        const MeasureOptions& options, Progress& progress) {
   const PlantTotals totals = totals_of(plant);
   progress.begin(options.organ_light ? "measuring light" : "measuring", totals.nodes + totals.organs);
@@ -259,13 +259,13 @@ StandMeasures measured(const Plant& plant, const Limits& limits, const MeshScene
 
 }  // namespace
 
-StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
+StandMeasures measure_plant(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress) {
   return measured(plant, limits, &meshes, scene, options, progress);
 }
 
-StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
-                            Progress& progress) {
+StandMeasures measure_plant(const Plant& plant, const SizeLimits& limits, const Scene& scene,
+                            const MeasureOptions& options, Progress& progress) {
   if (options.organ_light) throw std::invalid_argument("the light on organs needs the meshes of the plant");
   return measured(plant, limits, nullptr, scene, options, progress);
 }

@@ -17,8 +17,8 @@
 #include "meristem/measure/samples.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/geometry_count.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/geometry_count.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -56,13 +56,13 @@ struct Measures {
   std::optional<double> centroid_azimuth;       ///< azimuth from the root to the mean node, radians from north over
                                                 ///< east
   double centroid_radius = 0;                   ///< horizontal distance from the root to the mean node, metres
-  Distribution branching_angle;                 ///< radians between axes and their laterals
+  SampleStatistics branching_angle;             ///< radians between axes and their laterals
   std::vector<std::uint64_t> strahler_streams;  ///< number of Strahler streams of each order, from 1
   std::vector<double> bifurcation_ratios;       ///< streams of each order divided by streams of the next order
   std::optional<double> bifurcation_ratio;      ///< geometric mean of the ratios
-  Distribution pipe_exponent;                   ///< exponent of the pipe model at each fork
+  SampleStatistics pipe_exponent;               ///< exponent of the pipe model at each fork
   std::uint64_t pipe_unsolved = 0;              ///< forks for which no exponent exists
-  Distribution area_ratio;                      ///< cross-section above a fork divided by the cross-section below
+  SampleStatistics area_ratio;                  ///< cross-section above a fork divided by the cross-section below
 
   // Measures of plants, and of each tree if every leaf belongs to a known tree.
   std::optional<std::uint64_t> leaf_count;  ///< number of organs with a two-sided material
@@ -111,7 +111,7 @@ inline constexpr std::uint32_t kNoTree = 0xffffffffU;
 
 /// Returns the index of each organ's tree, in the numbering of measure_plant: the roots of the plant's stems in order.
 /// Returns kNoTree for an organ that several trees share, and for trees whose leaves cannot be separated.
-std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Limits& limits, const Progress& progress);
+std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const SizeLimits& limits, const Progress& progress);
 
 /// Options: what else is measured, and how finely.
 struct MeasureOptions {
@@ -135,14 +135,14 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
 /// make_mesh_scene or make_ray_meshes for this plant. They are counted for the measures of geometry. Placed plants are
 /// measured in blocks (expand_in_blocks), so memory does not grow with the number of places. Begins stages of
 /// `progress`. Throws InputError if `limits` are exceeded, and Cancelled.
-StandMeasures measure_plant(const Plant& plant, const Limits& limits, const MeshScene& meshes, const Scene& scene,
+StandMeasures measure_plant(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
 /// Measures a plant without meshes. Limits of triangles and geometry do not apply, and measures of geometry have no
 /// value until Measures::set_geometry is called. Throws like the function above, and std::invalid_argument if options
 /// request the light on organs.
-StandMeasures measure_plant(const Plant& plant, const Limits& limits, const Scene& scene, const MeasureOptions& options,
-                            Progress& progress);
+StandMeasures measure_plant(const Plant& plant, const SizeLimits& limits, const Scene& scene,
+                            const MeasureOptions& options, Progress& progress);
 
 /// The value of a measure: no value, a count, a number in the unit of its row, or a list of counts or numbers.
 using MeasureValue =

@@ -13,6 +13,7 @@
 #include "meristem/base/random.h"
 #include "meristem/plant/pipe_radii.h"
 #include "meristem/plant/plant_variant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "tests/support/check_sentence.h"
 
 namespace meristem::measures_test {
@@ -346,7 +347,7 @@ TEST(Measures, PlacedPlantsAreMeasuredAsTheirCopies) {
 
 TEST(Measures, SkeletonsNeedNoRoomForMeshes) {
   const Plant plant = placed_trees();
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = limits.mesh_bytes = 1;
   Progress progress;
   const StandMeasures stand = measure_plant(plant, limits, {}, {}, progress);

@@ -18,7 +18,7 @@
 #include "meristem/measure/masked_surfaces.h"
 #include "meristem/measure/surface_points.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
 namespace meristem {
@@ -190,7 +190,7 @@ std::vector<LitOrgan> BlockLight::measure(const Plant& block, std::span<const Or
   return lit;
 }
 
-std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes,
                                           const Scene& scene, Progress& progress) {
   const std::uint64_t organs = totals_of(plant).organs;
   progress.begin("measuring light", organs);

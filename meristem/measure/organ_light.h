@@ -7,7 +7,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -28,7 +28,7 @@ struct LitOrgan {
 /// organ, samples also lie on the dark side. The scene may differ from the scene in which the plant grew. Takes about a
 /// microsecond per sample and light. Results are equal on any number of threads. Begins one stage of `progress`, which
 /// counts organs. Throws InputError if `limits` are exceeded, Cancelled, MachineError (memory).
-std::vector<LitOrgan> measure_organ_light(const Plant& plant, const Limits& limits, const MeshScene& meshes,
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes,
                                           const Scene& scene, Progress& progress);
 
 /// Combines organs into one: the sum of the areas, and means weighted by area.

@@ -10,7 +10,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/measure/surface_points.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_scenes.h"
 

@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-Distribution distribution(std::vector<double> samples) {
+SampleStatistics distribution(std::vector<double> samples) {
   if (samples.empty()) return {};
   std::sort(samples.begin(), samples.end());
   const auto count = static_cast<double>(samples.size());

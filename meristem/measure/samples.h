@@ -7,7 +7,7 @@
 namespace meristem {
 
 /// Statistics of a list of numbers. All fields are 0 if the list is empty.
-struct Distribution {
+struct SampleStatistics {
   std::size_t count = 0;  ///< how many numbers
   double mean = 0;        ///< arithmetic mean
   double spread = 0;      ///< standard deviation of these numbers, not of a population that they represent
@@ -17,7 +17,7 @@ struct Distribution {
 };
 
 /// Computes the statistics of `samples`. Quantiles are interpolated between neighbours in rank. The cost is one sort.
-Distribution distribution(std::vector<double> samples);
+SampleStatistics distribution(std::vector<double> samples);
 
 /// Returns the value below which a share (0 to 1) of `ascending` lies, linear between neighbours. Returns 0 for an
 /// empty list.

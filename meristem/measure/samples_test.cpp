@@ -10,7 +10,7 @@ namespace meristem::samples_test {
 TEST(Samples, QuantilesOfWholeNumbersAreInterpolated) {
   std::vector<double> numbers;
   for (int k = 100; k >= 0; --k) numbers.push_back(k);
-  const Distribution found = distribution(numbers);
+  const SampleStatistics found = distribution(numbers);
   EXPECT_EQ(found.count, 101U);
   EXPECT_DOUBLE_EQ(found.mean, 50);
   // The variance of 0 to n is n (n + 2) / 12.
@@ -22,7 +22,7 @@ TEST(Samples, QuantilesOfWholeNumbersAreInterpolated) {
 }
 
 TEST(Samples, OneNumberIsItsOwnDistribution) {
-  const Distribution found = distribution({3});
+  const SampleStatistics found = distribution({3});
   EXPECT_EQ(found.low, 3);
   EXPECT_EQ(found.high, 3);
   EXPECT_EQ(found.spread, 0);

@@ -17,7 +17,7 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/surface_points.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 namespace {

@@ -10,7 +10,7 @@
 #include "meristem/base/vec.h"
 #include "meristem/scene/light/sun.h"
 #include "meristem/scene/obstacle/obstacles.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -33,12 +33,12 @@ struct ShadeSurface {
 enum class FacadeSide { walls, north, east, south, west, roof, all };
 
 /// Returns the area of the faces of an obstacle that facade_surface covers, in square metres. Hidden parts, which get
-/// no points, are included.
+/// no points, are included. `obstacle` is an index. Throws std::out_of_range if it is too large.
 double facade_area(const Obstacles& obstacles, std::size_t obstacle, FacadeSide side, std::optional<double> azimuth);
 /// Returns points on the faces of an obstacle that belong to `side`. With an `azimuth` (radians, from north over east),
 /// returns points on the walls that look less than 45° away from it instead. Faces below the ground (y = 0) or inside
-/// another obstacle get no points. Each point stands for about `spacing` squared (metres). Returns no points if there
-/// is no such face.
+/// another obstacle get no points. Each point stands for about `spacing` squared (metres, above 0). Returns no points
+/// if there is no such face. Throws std::out_of_range if the index `obstacle` is too large.
 ShadeSurface facade_surface(const Obstacles& obstacles, std::size_t obstacle, FacadeSide side,
                             std::optional<double> azimuth, double spacing);
 /// Combines the points of several surfaces into one surface without a grid.
@@ -53,12 +53,13 @@ struct PanelField {
   double azimuth = kPi;  ///< direction in which the surface looks, from north over east
 };
 
-/// Returns a grid of points in the middles of equal cells, about `spacing` wide (metres). Columns count from the left
-/// as seen from the front, and rows from the lower edge up.
+/// Returns a grid of points in the middles of equal cells, about `spacing` wide (metres, above 0). The grid has at
+/// least one cell. Columns count from the left as seen from the front, and rows from the lower edge up.
 ShadeSurface panel_surface(const PanelField& panels, double spacing);
 
-/// Returns the ground between two corners [x, z] at a height, looking up. Columns count to the east, rows from south to
-/// north. Cells have no point if their middle is inside an obstacle.
+/// Returns the ground between two opposite corners [x, z] at a height, looking up. Lengths are in metres, and `spacing`
+/// must be above 0. The corners may have any order. Columns count to the east, rows from south to north. Cells have no
+/// point if their middle is inside an obstacle.
 ShadeSurface ground_surface(Vec2 from, Vec2 to, double height, const Obstacles& obstacles, double spacing);
 
 /// The shade on a surface while the sun stands at one position.
@@ -82,11 +83,11 @@ struct ShadeOfSurface {
 inline constexpr std::uint64_t kMaxShadeRays = 200'000'000;
 
 /// Computes the shade on a surface. Rays go from every point to every position of the sun above the horizon. If the
-/// altitude is not above 0, the whole surface is in shade. Obstacles and all visible parts of `plants` stop rays. The
-/// holes of masked textures let rays pass, so these textures must be painted. `plants` must be the result of
-/// make_mesh_scene. Takes about a microsecond per ray. Results are equal on any number of threads. Begins a stage of
-/// `progress`, which counts rays. Throws Cancelled, MachineError (memory), and std::invalid_argument for more than
-/// kMaxShadeRays rays.
+/// altitude is not above 0, the whole surface is in shade. Without points, or without such a position, all shares of
+/// shade are 1 and no stage begins. Obstacles and all visible parts of `plants` stop rays. The holes of masked textures
+/// let rays pass, so these textures must be painted. `plants` must be the result of make_mesh_scene. Takes about a
+/// microsecond per ray. Results are equal on any number of threads. Begins a stage of `progress`, which counts rays.
+/// Throws Cancelled, MachineError (memory), and std::invalid_argument for more than kMaxShadeRays rays.
 ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyDirection>& sun, const MeshScene& plants,
                              const Obstacles& obstacles, Progress& progress);
 

@@ -10,6 +10,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/plant/plant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem::shade_test {

@@ -17,7 +17,7 @@ namespace {
 
 TreeRecord record_tree(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
                        const Progress& progress) {
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   TreeRecord record;
   if (skeleton.node_count() > 0) record.position = skeleton.position[0];
   record.form = measure_form(skeleton, children, &progress);

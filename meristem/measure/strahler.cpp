@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-std::vector<std::uint8_t> strahler_numbers(const Skeleton& skeleton, const Children& children) {
+std::vector<std::uint8_t> strahler_numbers(const Skeleton& skeleton, const NodeChildren& children) {
   // A number of k needs 2^(k-1) tips, so a byte holds it.
   std::vector<std::uint8_t> numbers(skeleton.node_count(), 1);
   for (std::size_t node = skeleton.node_count(); node-- > 0;) {

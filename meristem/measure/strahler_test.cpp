@@ -27,7 +27,7 @@ Skeleton even_tree(int arity, int levels, int run) {
 }
 
 std::vector<std::uint64_t> streams_of(const Skeleton& skeleton) {
-  return strahler_streams(skeleton, strahler_numbers(skeleton, Children(skeleton)));
+  return strahler_streams(skeleton, strahler_numbers(skeleton, NodeChildren(skeleton)));
 }
 
 TEST(Strahler, EvenTreesHaveTheirArityAsRatio) {
@@ -49,7 +49,7 @@ TEST(Strahler, SideTwigsDoNotRaiseAStem) {
     if (k < 6) skeleton.add_node(last, {1, k, 0}, 0);
   }
   EXPECT_EQ(streams_of(skeleton), (std::vector<std::uint64_t>{6, 1}));
-  EXPECT_EQ(strahler_numbers(skeleton, Children(skeleton))[0], 2);
+  EXPECT_EQ(strahler_numbers(skeleton, NodeChildren(skeleton))[0], 2);
 }
 
 TEST(Strahler, AChainIsOneStream) {

@@ -19,7 +19,7 @@
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/plant/segment_tree.h"
-#include "meristem/shape/body_meshes.h"
+#include "meristem/shape/stem/body_meshes.h"
 
 namespace meristem {
 
@@ -236,7 +236,7 @@ struct LabelFacts {
   }
 };
 
-PlantLabels::PlantLabels(const Plant& plant, const Limits& limits, Progress& progress)
+PlantLabels::PlantLabels(const Plant& plant, const SizeLimits& limits, Progress& progress)
     : facts_(std::make_unique<LabelFacts>()) {
   std::optional<Plant> copied;
   // The meshes are made from this copy as well.
@@ -257,7 +257,7 @@ SurfaceLabels::SurfaceLabels(PlantLabels&& labels, const MeshScene& scene) {
   facts_ = std::move(labels.facts_);
 }
 
-SurfaceLabels::SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress)
+SurfaceLabels::SurfaceLabels(const Plant& plant, const SizeLimits& limits, const MeshScene& scene, Progress& progress)
     : SurfaceLabels(PlantLabels(plant, limits, progress), scene) {}
 
 SurfaceLabels::~SurfaceLabels() = default;

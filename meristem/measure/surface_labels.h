@@ -13,7 +13,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/measure/measures.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -55,7 +55,7 @@ class PlantLabels {
  public:
   /// `plant` may be freed afterwards. Begins a stage of `progress`, which counts organs. Throws InputError if `limits`
   /// are exceeded, Cancelled.
-  PlantLabels(const Plant& plant, const Limits& limits, Progress& progress);
+  PlantLabels(const Plant& plant, const SizeLimits& limits, Progress& progress);
   PlantLabels(PlantLabels&&) noexcept;
   ~PlantLabels();
 
@@ -76,7 +76,7 @@ class SurfaceLabels {
   /// `scene` must be the result of make_mesh_scene for `plant` at level 0, with or without obstacles (with_obstacles).
   /// `scene` must outlive this object, but `plant` may be freed. Begins a stage of `progress`, which counts organs.
   /// Throws InputError if `limits` are exceeded, Cancelled.
-  SurfaceLabels(const Plant& plant, const Limits& limits, const MeshScene& scene, Progress& progress);
+  SurfaceLabels(const Plant& plant, const SizeLimits& limits, const MeshScene& scene, Progress& progress);
   /// Like the constructor above, with labels that were read from the plant before. `scene` can also be the result of
   /// make_ray_meshes.
   SurfaceLabels(PlantLabels&& labels, const MeshScene& scene);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/plant/plant_variant.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 
@@ -68,7 +69,7 @@ TEST(SurfaceLabels, OrgansAreOfTheShootThatTheyStandOn) {
 
 TEST(SurfaceLabels, TrianglesOfBodiesAreThoseOfTheNearestAxis) {
   Plant plant = leafy_stems();
-  for (Stem& stem : plant.stems) stem.parts[0].surface.style = Surface::Style::blend;
+  for (Stem& stem : plant.stems) stem.parts[0].surface.style = SurfaceOptions::Style::blend;
   Progress progress;
   const MeshScene scene = make_mesh_scene(plant, {}, progress);
   const SurfaceLabels labels(plant, {}, scene, progress);

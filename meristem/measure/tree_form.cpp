@@ -12,7 +12,7 @@ namespace meristem {
 namespace {
 
 /// Sums and counts that need one pass over the nodes.
-void count_nodes(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+void count_nodes(const Skeleton& skeleton, const NodeChildren& children, TreeForm& form) {
   const DVec3 root(skeleton.position[0]);
   form.nodes = skeleton.node_count();
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -87,7 +87,7 @@ void measure_stems(const Skeleton& skeleton, TreeForm& form) {
 }
 
 /// Finds the first fork. Returns for each node whether it belongs to the crown beyond this fork.
-std::vector<bool> find_crown(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+std::vector<bool> find_crown(const Skeleton& skeleton, const NodeChildren& children, TreeForm& form) {
   std::vector<bool> in_crown(skeleton.node_count(), true);
   NodeIndex node = 0;
   in_crown[node] = false;
@@ -99,7 +99,7 @@ std::vector<bool> find_crown(const Skeleton& skeleton, const Children& children,
   return in_crown;
 }
 
-void measure_crown(const Skeleton& skeleton, const Children& children, const Progress* progress, TreeForm& form) {
+void measure_crown(const Skeleton& skeleton, const NodeChildren& children, const Progress* progress, TreeForm& form) {
   const std::vector<bool> in_crown = find_crown(skeleton, children, form);
   if (!form.fork) return;
   const double base = skeleton.position[*form.fork].y;
@@ -124,7 +124,7 @@ void measure_crown(const Skeleton& skeleton, const Children& children, const Pro
 
 }  // namespace
 
-TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress) {
+TreeForm measure_form(const Skeleton& skeleton, const NodeChildren& children, const Progress* progress) {
   TreeForm form;
   if (skeleton.node_count() == 0) return form;
   count_nodes(skeleton, children, form);

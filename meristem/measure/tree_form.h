@@ -45,7 +45,8 @@ inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
 inline constexpr double kStemShare = 1.0 / 3;
 
 /// Measures a tree. `skeleton` must have one root, which is its first node. The crown is everything beyond the first
-/// fork on the way from the root. Throws Cancelled if `progress` is given and was cancelled.
-TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress = nullptr);
+/// fork on the way from the root. Without a fork there is no crown, and its measures are 0. All measures of an empty
+/// skeleton are 0. Throws Cancelled if `progress` is given and was cancelled.
+TreeForm measure_form(const Skeleton& skeleton, const NodeChildren& children, const Progress* progress = nullptr);
 
 }  // namespace meristem

@@ -9,7 +9,7 @@
 
 namespace meristem::tree_form_test {
 
-TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, Children(skeleton)); }
+TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, NodeChildren(skeleton)); }
 
 /// Adds a lateral of one segment.
 void add_lateral(Skeleton& skeleton, NodeIndex parent, Vec3 end, AxisIndex axis) {

@@ -14,7 +14,7 @@
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/picture/clouds.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 #include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 

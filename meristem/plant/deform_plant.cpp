@@ -18,6 +18,7 @@
 
 #include "meristem/base/deform/polar.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 
@@ -318,8 +319,8 @@ std::vector<Task> tasks_of(const Plant& plant, std::span<const DeformedOrgans> r
 
 }  // namespace
 
-void deform_organs(Plant& plant, std::span<const DeformedOrgans> rows, std::uint64_t mesh_bytes, const Limits& limits,
-                   const Progress& progress) {
+void deform_organs(Plant& plant, std::span<const DeformedOrgans> rows, std::uint64_t mesh_bytes,
+                   const SizeLimits& limits, const Progress& progress) {
   std::vector<Task> tasks = tasks_of(plant, rows);
   for (std::size_t begin = 0; begin < tasks.size(); begin += kTasksTogether) {
     const std::size_t count = std::min(kTasksTogether, tasks.size() - begin);

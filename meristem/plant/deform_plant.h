@@ -36,7 +36,7 @@ struct DeformedOrgans {
 /// map is within kAffineTolerance. All other organs get prototypes of their own, appended in the order of organs. The
 /// result does not depend on the number of threads. Throws InputError as Deformation::map does, and if the new meshes
 /// exceed the limit of bytes; `mesh_bytes` is the number of bytes already used. Throws Cancelled.
-void deform_organs(Plant& plant, std::span<const DeformedOrgans> rows, std::uint64_t mesh_bytes, const Limits& limits,
-                   const Progress& progress);
+void deform_organs(Plant& plant, std::span<const DeformedOrgans> rows, std::uint64_t mesh_bytes,
+                   const SizeLimits& limits, const Progress& progress);
 
 }  // namespace meristem

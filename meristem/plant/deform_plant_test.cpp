@@ -10,6 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/space_maps.h"
 
 namespace meristem::deform_plant_test {
@@ -59,7 +60,7 @@ Plant plant_with(std::size_t organs, float scale = 1) {
   return plant;
 }
 
-void deform_all(Plant& plant, const Pointer& by, const Limits& limits = {}) {
+void deform_all(Plant& plant, const Pointer& by, const SizeLimits& limits = {}) {
   const DeformedOrgans row{0, plant.organs.size(), by};
   deform_organs(plant, std::span(&row, 1), 0, limits, Progress());
 }
@@ -210,7 +211,7 @@ TEST(DeformOrgans, HaveTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(DeformOrgans, StopAtTheLimitOfBytes) {
   Plant plant = plant_with(1000);
-  Limits limits;
+  SizeLimits limits;
   limits.mesh_bytes = 100'000;
   try {
     deform_all(plant, bend_on(DeformedPart::geometry), limits);
@@ -285,7 +286,7 @@ TEST(DeformStem, EachPartHasItsOwn) {
 TEST(DeformStem, MovesWhatWasDoneToEachPart) {
   Stem stem = fork();
   for (const std::uint32_t part : {0U, 1U}) {
-    stem.skeleton.operations.push_back({.position = {1, 2, 0}, .bud = {0, 0, -1}, .part = part});
+    stem.skeleton.operations.add({.position = {1, 2, 0}, .bud = {0, 0, -1}, .part = part});
   }
   const Pointer by = deformation({level(functions("x + 1", "y", "x + 2*z"), DeformedPart::geometry)});
   deform(stem, std::vector<Pointer>{nullptr, by});

@@ -47,7 +47,7 @@ void follow(TrackedNodes& tracked, const TrackedNodes& step) {
 
 }  // namespace
 
-Skeleton finish(Skeleton skeleton, const Finish& wanted, const FinishContext& context, TrackedNodes* tracked) {
+Skeleton finish(Skeleton skeleton, const FinishOptions& wanted, const FinishContext& context, TrackedNodes* tracked) {
   TrackedNodes none;
   TrackedNodes& all = tracked != nullptr ? *tracked : none;
   all.stays.resize(skeleton.node_count(), 0);

@@ -22,7 +22,7 @@
 namespace meristem {
 
 /// Options of post-processing. Steps run in this order, and each is optional.
-struct Finish {
+struct FinishOptions {
   double decimate = 0;   ///< length in steps over which nodes are removed; 0 removes none, 4 keeps about every fourth
   bool relax = true;     ///< softens fork angles
   double subdivide = 0;  ///< spacing of the final nodes in steps; 0 keeps the nodes as they are
@@ -67,6 +67,7 @@ struct FinishContext {
 
 /// Returns the skeleton after all steps that `wanted` enables. Throws what `require_nodes` throws, before subdividing.
 /// Throws Cancelled.
-Skeleton finish(Skeleton skeleton, const Finish& wanted, const FinishContext& context, TrackedNodes* tracked = nullptr);
+Skeleton finish(Skeleton skeleton, const FinishOptions& wanted, const FinishContext& context,
+                TrackedNodes* tracked = nullptr);
 
 }  // namespace meristem

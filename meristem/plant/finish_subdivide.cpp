@@ -25,7 +25,8 @@ struct Branch {
 constexpr int kSamplesPerPiece = 8;  // straight pieces per old segment that measure the arc length
 
 /// Marks the nodes that end branches: forks, tips, nodes marked in the column `end`, and tracked nodes.
-std::vector<std::uint8_t> find_ends(const Skeleton& skeleton, const Children& children, const TrackedNodes* tracked) {
+std::vector<std::uint8_t> find_ends(const Skeleton& skeleton, const NodeChildren& children,
+                                    const TrackedNodes* tracked) {
   std::vector<std::uint8_t> ends(skeleton.node_count(), 0);
   const auto marks = skeleton.extra.find(kEndColumn);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -36,7 +37,7 @@ std::vector<std::uint8_t> find_ends(const Skeleton& skeleton, const Children& ch
   return ends;
 }
 
-Branch trace_branch(const Skeleton& skeleton, const Children& children, const std::vector<std::uint8_t>& ends,
+Branch trace_branch(const Skeleton& skeleton, const NodeChildren& children, const std::vector<std::uint8_t>& ends,
                     NodeIndex first) {
   Branch branch{{skeleton.parent[first]}, {0}};
   for (NodeIndex node = first;; node = children.of(node)[0]) {
@@ -190,7 +191,7 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing) {
 
 Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open, TrackedNodes* tracked) {
   if (!(spacing > 0)) throw std::invalid_argument("subdivide: the spacing must be above 0");
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   const std::vector<std::uint8_t> ends = find_ends(skeleton, children, tracked);
   Subdivision subdivision{skeleton, {}, std::vector<NodeIndex>(skeleton.node_count(), kNoNode)};
   for (const auto& [name, values] : skeleton.extra) subdivision.result.extra[name];

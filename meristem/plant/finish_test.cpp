@@ -180,7 +180,7 @@ TEST(Subdivide, KeepsTheEndsOfBranches) {
   ASSERT_TRUE(check_finished(result));
   EXPECT_EQ(result.node_count(), 1U + 3 * 3 + 4 * 3 + 4 * 3);
   EXPECT_EQ(result.position[0], skeleton.position[0]);
-  const Children children(result);
+  const NodeChildren children(result);
   std::vector<Vec3> ends;
   for (NodeIndex node = 0; node < result.node_count(); ++node) {
     if (children.of(node).size() != 1) ends.push_back(result.position[node]);

@@ -35,7 +35,7 @@ Skeleton join_skeletons(std::vector<Skeleton> trees) {
     join(all.axis, tree.axis);
     join(all.order, tree.order);
     join(all.birth, tree.birth);
-    join(all.operations, tree.operations);
+    all.operations.append(tree.operations);
     for (auto& [name, column] : all.extra) {
       const auto own = tree.extra.find(name);
       if (own != tree.extra.end()) join(column, own->second);

@@ -11,6 +11,7 @@
 
 #include "meristem/base/random.h"
 #include "meristem/plant/further_columns.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 
@@ -76,9 +77,9 @@ class TreeJoiner {
     part_ = static_cast<std::uint32_t>(tree_.parts.size());
     tree_.parts.push_back(std::move(stem.part));
     const Skeleton& from = *stem.skeleton;
-    for (const OperationRecord& record : from.operations) {
-      tree_.skeleton.operations.push_back(record);
-      tree_.skeleton.operations.back().part = part_;
+    for (OperationRecord record : from.operations) {
+      record.part = part_;
+      tree_.skeleton.operations.add(std::move(record));
     }
     const Joint joint = joints_[member];
     order_ = is_root ? 0 : joint.order + 1;

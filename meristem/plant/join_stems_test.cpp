@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/plant/operation_record.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem::join_stems_test {
@@ -47,7 +48,7 @@ std::vector<LooseStem> small_tree() {
 TEST(JoinStems, KeepsWhatWasDoneToEachPart) {
   std::vector<LooseStem> stems = small_tree();
   Skeleton bough = *stems[1].skeleton;
-  bough.operations.push_back({.operation = "components.bough.operations[0]", .act = "cut"});
+  bough.operations.add({.operation = "components.bough.operations[0]", .act = "cut"});
   stems[1].skeleton = shared(std::move(bough));
   const Stem joined = join_stems(std::move(stems))[0];
   ASSERT_EQ(joined.skeleton.operations.size(), 1U);
@@ -97,7 +98,7 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
   const Skeleton& tree = joined[0].skeleton;
   check_skeleton(tree);
   float last = -1;
-  const Axes axes(tree);
+  const SkeletonAxes axes(tree);
   for (const NodeIndex node : axes.of(0)) {
     EXPECT_GE(tree.position[node].y, last);
     last = tree.position[node].y;

@@ -29,7 +29,7 @@ TEST(PipeRadii, HoldThePipeLawAtEveryFork) {
     assign_pipe_radii(skeleton, {.tip_radius = 0.004, .exponent = exponent});
     assign_axes(skeleton);
     ASSERT_TRUE(check_skeleton(skeleton));
-    const Children children(skeleton);
+    const NodeChildren children(skeleton);
     std::size_t forks = 0;
     for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
       if (children.of(node).empty()) {

@@ -48,7 +48,7 @@ struct CrownBody {
 };
 
 /// Surface options of a stem; `meristem/shape` makes the surface.
-struct Surface {
+struct SurfaceOptions {
   /// How a stem gets its surface.
   enum class Style {
     tubes,  ///< one tube along each axis
@@ -79,7 +79,7 @@ struct Surface {
   /// Target number of triangles after simplification; thin twigs and holes may prevent it.
   std::optional<int> triangles;
 
-  bool operator==(const Surface&) const = default;
+  bool operator==(const SurfaceOptions&) const = default;
 };
 
 inline constexpr std::uint32_t kNoStem = 0xffffffffU;        ///< marks a missing stem index
@@ -100,7 +100,7 @@ struct StemPart {
   std::string component;                             ///< id of the component in the document
   std::uint32_t instance = 0;                        ///< number among the instances of that component
   std::uint32_t material = 0;                        ///< index into Plant::materials
-  Surface surface;                                   ///< surface options of this part
+  SurfaceOptions surface;                            ///< surface options of this part
   Vec3 tint{1};                                      ///< linear factors on the material's colour
   std::shared_ptr<const Deformation> deformation{};  ///< applied to the finished surface; null: none
 };

@@ -14,6 +14,7 @@
 #include "meristem/base/math.h"
 #include "meristem/base/random.h"
 #include "meristem/plant/deform_plant.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
@@ -44,7 +45,7 @@ Totals totals_of(const Plant& plant, std::map<const PlantVariant*, Totals>& know
   return sum;
 }
 
-void check_totals(const Plant& plant, const Limits& limits) {
+void check_totals(const Plant& plant, const SizeLimits& limits) {
   std::map<const PlantVariant*, Totals> known;
   const Totals sum = totals_of(plant, known);
   const std::string path = "components." + plant.plantings.front().component;
@@ -84,7 +85,7 @@ class Expander {
  public:
   /// Expands into `to`, a copy of `own` without its plantings. With `blocks`, `to` begins without stems and organs.
   /// They are passed on block by block and then removed.
-  Expander(const Plant& own, Plant& to, const Limits& limits, const Progress& progress,
+  Expander(const Plant& own, Plant& to, const SizeLimits& limits, const Progress& progress,
            const BlockTaker* blocks = nullptr)
       : to_(to), limits_(limits), progress_(progress), blocks_(blocks) {
     for (const Stem& stem : own.stems) {
@@ -218,7 +219,7 @@ class Expander {
   }
 
   Plant& to_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   const Progress& progress_;
   const BlockTaker* blocks_;      // null: everything stays in the plant
   std::uint64_t size_ = 0;        // nodes and organs since the last block
@@ -245,7 +246,7 @@ std::uint64_t PlantVariant::bytes() const {
 
 bool has_plantings(const Plant& plant) { return !plant.plantings.empty(); }
 
-Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress) {
+Plant expanded(const Plant& plant, const SizeLimits& limits, const Progress& progress) {
   if (has_plantings(plant)) check_totals(plant, limits);
   Plant all = plant;
   all.plantings.clear();
@@ -256,7 +257,7 @@ Plant expanded(const Plant& plant, const Limits& limits, const Progress& progres
   return all;
 }
 
-std::vector<Individual> expand_in_blocks(const Plant& plant, const Limits& limits, const Progress& progress,
+std::vector<Individual> expand_in_blocks(const Plant& plant, const SizeLimits& limits, const Progress& progress,
                                          FunctionRef<void(const Plant& block)> take, std::size_t block_size) {
   if (has_plantings(plant)) check_totals(plant, limits);
   take(plant);
@@ -280,7 +281,7 @@ bool is_deformed(const Planting& planting) { return planting.deformation != null
 
 bool has_deformed_plantings(const Plant& plant) { return std::ranges::any_of(plant.plantings, is_deformed); }
 
-Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress) {
+Plant with_deformed_copies(const Plant& plant, const SizeLimits& limits, const Progress& progress) {
   Plant deformed = plant;
   std::erase_if(deformed.plantings, [](const Planting& planting) { return !is_deformed(planting); });
   deformed = expanded(deformed, limits, progress);
@@ -296,7 +297,7 @@ PlantTotals totals_of(const Plant& plant) {
   return {whole(sum.stems), whole(sum.nodes), whole(sum.organs)};
 }
 
-ExpandedPlant::ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress) : plant_(&plant) {
+ExpandedPlant::ExpandedPlant(const Plant& plant, const SizeLimits& limits, const Progress& progress) : plant_(&plant) {
   if (!has_plantings(plant)) return;
   made_ = std::make_shared<const Plant>(expanded(plant, limits, progress));
   plant_ = made_.get();

@@ -47,7 +47,7 @@ bool has_plantings(const Plant& plant);
 /// Tables and measures read this form. A component within a variant is named by both ids, such as "oak.leaf", and its
 /// instances are numbered on from place to place. Throws InputError before copying if the copies exceed the limits of
 /// nodes or instances. Throws Cancelled.
-Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress);
+Plant expanded(const Plant& plant, const SizeLimits& limits, const Progress& progress);
 
 /// Approximate number of nodes and organs in a block of expand_in_blocks(). Larger: more memory per block.
 inline constexpr std::size_t kExpandedBlock = 1'000'000;
@@ -57,21 +57,21 @@ inline constexpr std::size_t kExpandedBlock = 1'000'000;
 /// after the plant that makes it reach `block_size` nodes and organs. Places of deformed plantings are not divided.
 /// Materials, prototypes and individuals have the indices of expanded(); later blocks contain more of them. Memory: one
 /// block, and all deformed geometry. Throws what expanded() and `take` throw.
-std::vector<Individual> expand_in_blocks(const Plant& plant, const Limits& limits, const Progress& progress,
+std::vector<Individual> expand_in_blocks(const Plant& plant, const SizeLimits& limits, const Progress& progress,
                                          FunctionRef<void(const Plant& block)> take,
                                          std::size_t block_size = kExpandedBlock);
 
 /// Returns true if the plant has plantings whose places are deformed, each in its own way.
 bool has_deformed_plantings(const Plant& plant);
 /// Like expanded(), but copies only deformed plantings. The others stay plantings.
-Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress);
+Plant with_deformed_copies(const Plant& plant, const SizeLimits& limits, const Progress& progress);
 
 /// Access to a plant's expansion. Refers to the plant itself if it has no plantings.
 class ExpandedPlant {
  public:
   /// `plant` must outlive this object unless it has plantings. `limits` must be the limits of the plant's document.
   /// Throws as expanded() does.
-  ExpandedPlant(const Plant& plant, const Limits& limits, const Progress& progress);
+  ExpandedPlant(const Plant& plant, const SizeLimits& limits, const Progress& progress);
   /// The expanded plant.
   const Plant& operator*() const { return *plant_; }
   const Plant* operator->() const { return plant_; }  ///< access to members of the expanded plant

@@ -89,7 +89,7 @@ TEST(Planting, APlantWithoutPlantingsIsItsOwnExpansion) {
 TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
   Plant plant;
   plant.plantings.push_back({"oak", twig(), std::vector<Planting::Place>(1000)});
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 1999;
   try {
     expanded(plant, limits, Progress());
@@ -156,7 +156,7 @@ TEST(Planting, BlocksAreTheExpansionInItsOrder) {
 }
 
 TEST(Planting, BlocksStopAtTheLimitsBeforeTheFirst) {
-  Limits limits;
+  SizeLimits limits;
   limits.instances = 7;
   const auto fail = [](const Plant&) { FAIL() << "8 organs passed a limit of 7"; };
   EXPECT_THROW(expand_in_blocks(nested_plant(), limits, Progress(), fail), InputError);

@@ -31,7 +31,7 @@ std::uint64_t Skeleton::bytes() const {
     return column.capacity() * sizeof(typename std::decay_t<decltype(column)>::value_type);
   };
   std::uint64_t sum = bytes_of(parent) + bytes_of(position) + bytes_of(radius) + bytes_of(axis) + bytes_of(order) +
-                      bytes_of(birth) + bytes_of(operations);
+                      bytes_of(birth) + operations.bytes();
   for (const auto& [name, values] : extra) sum += bytes_of(values);
   return sum;
 }
@@ -71,10 +71,10 @@ void Skeleton::append(Skeleton more) {
     join(column, values);
   }
   for (auto& [name, values] : extra) values.resize(node_count(), 0);
-  join(operations, more.operations);
+  operations.append(more.operations);
 }
 
-Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
+NodeChildren::NodeChildren(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
   const std::size_t nodes = skeleton.node_count();
   // Count the children of each node, one position further on.
   for (const NodeIndex parent : skeleton.parent) {
@@ -90,7 +90,7 @@ Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 
   }
 }
 
-Axes::Axes(const Skeleton& skeleton) {
+SkeletonAxes::SkeletonAxes(const Skeleton& skeleton) {
   const std::size_t axes = skeleton.axis_count();
   first.assign(axes + 1, 0);
   for (const AxisIndex axis : skeleton.axis) ++first[axis + 1];

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "meristem/base/vec.h"
-#include "meristem/plant/operation_record.h"
+#include "meristem/plant/operation_records.h"
 
 namespace meristem {
 
@@ -32,7 +32,7 @@ struct Skeleton {
   std::vector<std::uint16_t> order;  ///< branching order: 0 on the stem, one more at each lateral
   std::vector<float> birth;          ///< growth step at which the node appeared
   std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns, if known: light, resource, ...
-  std::vector<OperationRecord> operations;  ///< operations done to it as it grew, one tree after another
+  OperationRecords operations;  ///< operations done to it as it grew, one tree after another
 
   std::size_t node_count() const { return parent.size(); }                ///< number of nodes, roots included
   std::size_t axis_count() const;                                         ///< number of axes
@@ -47,12 +47,12 @@ struct Skeleton {
 };
 
 /// The children of all nodes in one array: node k has `child[first[k] .. first[k+1])`, by rising index.
-struct Children {
+struct NodeChildren {
   std::vector<std::uint32_t> first;  ///< begin of each node's children in `child`; one entry more than nodes
   std::vector<NodeIndex> child;      ///< children of all nodes
 
   /// Finds the children of all nodes. Cost: linear.
-  explicit Children(const Skeleton& skeleton);
+  explicit NodeChildren(const Skeleton& skeleton);
   /// Returns the children of a node.
   std::span<const NodeIndex> of(NodeIndex node) const {
     return std::span(child).subspan(first[node], first[node + 1] - first[node]);
@@ -61,12 +61,12 @@ struct Children {
 
 /// The nodes of each axis from base to tip: axis a has `node[first[a] .. first[a+1])`. The node that a lateral axis
 /// grows from is not included: it is the parent of the axis's first node.
-struct Axes {
+struct SkeletonAxes {
   std::vector<std::uint32_t> first;  ///< begin of each axis in `node`; one entry more than axes
   std::vector<NodeIndex> node;       ///< nodes of all axes
 
   /// Finds the nodes of all axes. Cost: linear.
-  explicit Axes(const Skeleton& skeleton);
+  explicit SkeletonAxes(const Skeleton& skeleton);
   std::size_t count() const { return first.size() - 1; }  ///< number of axes
   /// Returns the nodes of an axis, from base to tip.
   std::span<const NodeIndex> of(AxisIndex axis) const {

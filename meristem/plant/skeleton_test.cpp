@@ -45,7 +45,7 @@ TEST(Skeleton, AddsNodesWithEveryColumn) {
 
 TEST(Skeleton, ChildrenAreListedByRisingIndex) {
   const Skeleton skeleton = two_plants();
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   ASSERT_EQ(children.of(1).size(), 2U);
   EXPECT_EQ(children.of(1)[0], 2U);
   EXPECT_EQ(children.of(1)[1], 3U);
@@ -56,7 +56,7 @@ TEST(Skeleton, ChildrenAreListedByRisingIndex) {
 
 TEST(Skeleton, AxesRunFromBaseToTip) {
   const Skeleton skeleton = two_plants();
-  const Axes axes(skeleton);
+  const SkeletonAxes axes(skeleton);
   ASSERT_EQ(axes.count(), 3U);
   const auto stem = axes.of(0);
   EXPECT_EQ(std::vector(stem.begin(), stem.end()), (std::vector<NodeIndex>{0, 1, 2, 4}));
@@ -66,7 +66,7 @@ TEST(Skeleton, AxesRunFromBaseToTip) {
 
 TEST(Skeleton, EmptySkeletonsHaveNoAxesAndNoBounds) {
   const Skeleton empty;
-  EXPECT_EQ(Axes(empty).count(), 0U);
+  EXPECT_EQ(SkeletonAxes(empty).count(), 0U);
   EXPECT_TRUE(bounds(empty).is_empty());
   EXPECT_TRUE(tip_distance(empty).empty());
   EXPECT_TRUE(check_skeleton(empty));

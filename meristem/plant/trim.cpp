@@ -118,10 +118,10 @@ class Trimmer {
 
   void fit_radii() {
     Skeleton& skeleton = trimmed_.skeleton;
-    const Axes before(whole_);
+    const SkeletonAxes before(whole_);
     const std::vector<float> arcs = arcs_along_axes(whole_);
     const std::vector<float> new_arcs = arcs_along_axes(skeleton);
-    const Axes after(skeleton);
+    const SkeletonAxes after(skeleton);
     std::vector<AxisIndex> whole_axis(after.count(), 0);
     for (AxisIndex axis = 0; axis < before.count(); ++axis) {
       if (axes_[axis] != kNoNode) whole_axis[axes_[axis]] = axis;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/plant/operation_record.h"
 #include "meristem/plant/pipe_radii.h"
 #include "tests/support/check_skeleton.h"
 
@@ -63,7 +64,7 @@ TEST(TrimSkeleton, ACutStemEndsAtTheBoundaryAsThickAsItWasThere) {
 
 TEST(TrimSkeleton, KeepsWhatWasDoneToTheTree) {
   Skeleton whole = ladder();
-  whole.operations.push_back({.operation = "components.tree.operations[0]", .act = "cut", .position = {0, 3, 0}});
+  whole.operations.add({.operation = "components.tree.operations[0]", .act = "cut", .position = {0, 3, 0}});
   EXPECT_EQ(trim_skeleton(whole, below(2.5F), TrimMode::fit).skeleton.operations, whole.operations);
 }
 
@@ -71,7 +72,7 @@ TEST(TrimSkeleton, WhatGrowsBeyondIsGone) {
   const TrimmedSkeleton trimmed = trim_skeleton(ladder(), below(2.5F), TrimMode::cut);
   // The stem up to 2.5 m, and two branches with two nodes each.
   EXPECT_EQ(trimmed.skeleton.node_count(), 4U + 4U);
-  EXPECT_EQ(Axes(trimmed.skeleton).count(), 3U);
+  EXPECT_EQ(SkeletonAxes(trimmed.skeleton).count(), 3U);
 }
 
 TEST(TrimSkeleton, AStemThatFitsHasItsTaperOverTheLengthThatItHas) {

@@ -20,7 +20,7 @@ constexpr float kUnitSlack = 1e-6F;  // tolerance for squared lengths that count
 constexpr float kNoPull = 1e-24F;    // squared length below which there is no pull
 
 /// Splits a vector into direction and length. Unit vectors are returned unchanged, to the last bit.
-Pulling pulling(Vec3 vector) {
+FieldPull pulling(Vec3 vector) {
   const float squared = glm::dot(vector, vector);
   if (std::abs(squared - 1) < kUnitSlack) return {vector, 1};
   if (!(squared > kNoPull)) return {Vec3(0), 0};
@@ -57,13 +57,13 @@ Vec3 toward_directional_light(const Light& light, SkyDirection shown) {
   return shown.altitude > 0 ? unit_vector(shown) : kUp;
 }
 
-Sense sense_of(const Light& light, SkyDirection shown) {
+FieldSense sense_of(const Light& light, SkyDirection shown) {
   const Vec3 toward = toward_directional_light(light, shown);
-  if (light.lamps.empty()) return Sense(toward);
+  if (light.lamps.empty()) return FieldSense(toward);
   double strength = 0;
   for (const DirectionalLight& directional : light.sun) strength += directional.strength;
   for (const DirectionalLight& directional : light.sky) strength += directional.strength;
-  return Sense(std::make_shared<const LampField>(light.lamps, strength * DVec3(toward)));
+  return FieldSense(std::make_shared<const LampField>(light.lamps, strength * DVec3(toward)));
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ double share_pulled(double share, float strength) {
   return std::copysign(strength > 0 ? 1 - math::pow(open, strength) : 0, share);
 }
 
-Sense Sense::with(FieldPointer field, bool adds) const {
-  Sense made;
+FieldSense FieldSense::with(FieldPointer field, bool adds) const {
+  FieldSense made;
   if (adds) {
     made.own_ = given_ == nullptr && own_ == nullptr ? std::make_shared<const UniformField>(uniform_.toward) : own_;
     if (given_ != nullptr) field = std::make_shared<const SumField>(given_, std::move(field));
@@ -86,14 +86,14 @@ Sense Sense::with(FieldPointer field, bool adds) const {
   return made;
 }
 
-Pulling Sense::sum_at(Vec3 position) const {
+FieldPull FieldSense::sum_at(Vec3 position) const {
   const Vec3 own = own_ == nullptr ? Vec3(0) : own_->at(position);
   return pulling(own + given_at(position));
 }
 
 Directions::Directions(const Light& light, SkyDirection shown) : light_(sense_of(light, shown)) {}
 
-Directions Directions::with(Sense light, Sense gravity) const {
+Directions Directions::with(FieldSense light, FieldSense gravity) const {
   Directions made = *this;
   made.light_ = std::move(light);
   made.gravity_ = std::move(gravity);
@@ -116,7 +116,7 @@ Vec3 Directions::kept_out(KeptOut::Section section) const {
 
 std::uint64_t Directions::key_at(Vec3 position) const {
   Fingerprint key;
-  for (const Pulling& felt : {light(position), gravity(position)}) {
+  for (const FieldPull& felt : {light(position), gravity(position)}) {
     key.add(felt.toward.x).add(felt.toward.y).add(felt.toward.z).add(felt.strength);
   }
   const bool varies = !light_.is_uniform() || !gravity_.is_uniform() || kept_out_ != nullptr;

@@ -13,7 +13,7 @@
 namespace meristem {
 
 /// The direction and strength of a pull at a position.
-struct Pulling {
+struct FieldPull {
   Vec3 toward{0};      ///< unit vector; 0 if nothing pulls
   float strength = 1;  ///< 1: like the scene's own light or gravity
 
@@ -26,28 +26,29 @@ struct Pulling {
 double share_pulled(double share, float strength);
 
 /// A field that plants perceive: the scene's own field, with added or replacing fields.
-class Sense {
+class FieldSense {
  public:
-  Sense() = default;
+  FieldSense() = default;
   /// A uniform field with this unit vector.
-  explicit Sense(Vec3 toward) : uniform_{toward, 1} {}
+  explicit FieldSense(Vec3 toward) : uniform_{toward, 1} {}
   /// A field that varies in space.
-  explicit Sense(FieldPointer own) : own_(std::move(own)), varies_(true) {}
+  explicit FieldSense(FieldPointer own) : own_(std::move(own)), varies_(true) {}
 
   /// Returns the pull at a position.
-  Pulling at(Vec3 position) const { return varies_ ? sum_at(position) : uniform_; }
+  FieldPull at(Vec3 position) const { return varies_ ? sum_at(position) : uniform_; }
   /// Returns the sum of the fields that were added to the scene's own, at a position; 0 without such fields.
   Vec3 given_at(Vec3 position) const { return given_ == nullptr ? Vec3(0) : given_->at(position); }
-  bool is_uniform() const { return !varies_; }  ///< true if the field is equal at all positions
+  bool has_given() const { return given_ != nullptr; }  ///< true if a field was added to the scene's own
+  bool is_uniform() const { return !varies_; }          ///< true if the field is equal at all positions
 
   /// Returns a copy with another field. If `adds` is false, the field replaces all others.
-  Sense with(FieldPointer field, bool adds) const;
+  FieldSense with(FieldPointer field, bool adds) const;
 
  private:
-  Pulling sum_at(Vec3 position) const;
+  FieldPull sum_at(Vec3 position) const;
 
-  Pulling uniform_{kUp, 1};  // the whole field if it is uniform
-  FieldPointer own_;         // the scene's own field if it varies or if others were added; else null
+  FieldPull uniform_{kUp, 1};  // the whole field if it is uniform
+  FieldPointer own_;           // the scene's own field if it varies or if others were added; else null
   FieldPointer given_;
   bool varies_ = false;
 };
@@ -65,19 +66,19 @@ class Directions {
   /// because then only the sky gives light. Lamps pull in proportion to their strength, relative to the strength of all
   /// directional light.
   Directions(const Light& light, SkyDirection shown);
-  Directions(Sense light, Sense gravity) : light_(std::move(light)), gravity_(std::move(gravity)) {}
+  Directions(FieldSense light, FieldSense gravity) : light_(std::move(light)), gravity_(std::move(gravity)) {}
 
   /// Returns the pull of the light at a position.
-  Pulling light(Vec3 position) const { return light_.at(position); }
+  FieldPull light(Vec3 position) const { return light_.at(position); }
   /// Returns the pull of gravity at a position.
-  Pulling gravity(Vec3 position) const { return gravity_.at(position); }
+  FieldPull gravity(Vec3 position) const { return gravity_.at(position); }
   Vec3 toward_light(Vec3 position) const { return light_.at(position).toward; }  ///< unit vector, or 0
   Vec3 down(Vec3 position) const { return gravity_.at(position).toward; }        ///< unit vector, or 0
 
-  const Sense& light_sense() const { return light_; }      ///< the field of light
-  const Sense& gravity_sense() const { return gravity_; }  ///< the field of gravity
+  const FieldSense& light_sense() const { return light_; }      ///< the field of light
+  const FieldSense& gravity_sense() const { return gravity_; }  ///< the field of gravity
   /// Returns a copy with other fields of light and gravity.
-  Directions with(Sense light, Sense gravity) const;
+  Directions with(FieldSense light, FieldSense gravity) const;
 
   /// Returns a copy with one more body that stems keep out of.
   Directions with(std::shared_ptr<const KeptOut> body) const;
@@ -93,8 +94,8 @@ class Directions {
  private:
   Vec3 kept_out(KeptOut::Section section) const;
 
-  Sense light_{kUp};
-  Sense gravity_{-kUp};
+  FieldSense light_{kUp};
+  FieldSense gravity_{-kUp};
   std::shared_ptr<const std::vector<std::shared_ptr<const KeptOut>>> kept_out_;  // null if there are no such bodies
 };
 

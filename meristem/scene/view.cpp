@@ -7,7 +7,7 @@
 
 namespace meristem {
 
-std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg) {
+std::optional<CameraView> seen_from(CameraView view, double azimuth_deg, double altitude_deg) {
   const bool is_known = std::abs(azimuth_deg) <= 360 && std::abs(altitude_deg) <= 89;  // false for NaN
   if (!is_known) return std::nullopt;
   view.position.reset();
@@ -16,7 +16,7 @@ std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg
   return view;
 }
 
-View turned(View view, Vec3 middle, double angle) {
+CameraView turned(CameraView view, Vec3 middle, double angle) {
   view.azimuth += angle;
   // Azimuths run clockwise seen from above; rotations about the upward axis run counter-clockwise.
   const Vec3 centre = view.target.value_or(middle);

@@ -9,7 +9,7 @@
 namespace meristem {
 
 /// The camera of a picture. Unset values are chosen so that the whole plant is visible.
-struct View {
+struct CameraView {
   std::optional<Vec3> position;    ///< position of the camera, metres
   std::optional<Vec3> target;      ///< point that the camera looks at, metres; default: the centre of the plant
   double azimuth = 2.6;            ///< azimuth of the camera seen from the target, if `position` is unset; radians
@@ -26,10 +26,10 @@ inline constexpr std::string_view kKnownSides = "an azimuth from -360 to 360 and
 /// Returns the view from another side, at a distance that shows the whole plant. The azimuth is -360 to 360 degrees,
 /// from north over east; the altitude over the horizon is -89 to 89 degrees. Both are seen from the target. Returns
 /// nothing for other angles.
-std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg);
+std::optional<CameraView> seen_from(CameraView view, double azimuth_deg, double altitude_deg);
 
 /// Returns the view with the camera rotated about the vertical through its target (`middle` if it has no target).
 /// `angle` is in radians, from north over east. A full turn in equal steps shows the plant from every side.
-View turned(View view, Vec3 middle, double angle);
+CameraView turned(CameraView view, Vec3 middle, double angle);
 
 }  // namespace meristem

@@ -10,7 +10,7 @@
 namespace meristem::view_test {
 
 TEST(ViewSeenFrom, ReplacesThePlaceOfTheCameraAlone) {
-  View view;
+  CameraView view;
   view.position = Vec3(1, 2, 3);
   view.target = Vec3(4, 5, 6);
   view.field_of_view = 1;
@@ -24,17 +24,17 @@ TEST(ViewSeenFrom, ReplacesThePlaceOfTheCameraAlone) {
 }
 
 TEST(ViewSeenFrom, KnowsNoOtherAngles) {
-  EXPECT_TRUE(seen_from(View(), -360, 89));
-  EXPECT_FALSE(seen_from(View(), 360.001, 0));
-  EXPECT_FALSE(seen_from(View(), 0, -89.001));
-  EXPECT_FALSE(seen_from(View(), std::numeric_limits<double>::quiet_NaN(), 0));
-  EXPECT_FALSE(seen_from(View(), 0, std::numeric_limits<double>::infinity()));
+  EXPECT_TRUE(seen_from(CameraView(), -360, 89));
+  EXPECT_FALSE(seen_from(CameraView(), 360.001, 0));
+  EXPECT_FALSE(seen_from(CameraView(), 0, -89.001));
+  EXPECT_FALSE(seen_from(CameraView(), std::numeric_limits<double>::quiet_NaN(), 0));
+  EXPECT_FALSE(seen_from(CameraView(), 0, std::numeric_limits<double>::infinity()));
 }
 
 TEST(TurnedView, MovesTheCameraFromNorthOverEast) {
-  View view;
+  CameraView view;
   view.position = Vec3(0, 2, -5);  // north of the root
-  const View east = turned(view, Vec3(0, 1, 0), kPi / 2);
+  const CameraView east = turned(view, Vec3(0, 1, 0), kPi / 2);
   EXPECT_NEAR(glm::distance(*east.position, Vec3(5, 2, 0)), 0, 1e-5F);
   EXPECT_DOUBLE_EQ(east.azimuth, view.azimuth + kPi / 2);
   view.target = Vec3(1, 0, 0);
@@ -42,10 +42,10 @@ TEST(TurnedView, MovesTheCameraFromNorthOverEast) {
 }
 
 TEST(TurnedView, AWholeTurnIsNone) {
-  View view;
+  CameraView view;
   view.position = Vec3(1, 2, 3);
   EXPECT_NEAR(glm::distance(*turned(view, Vec3(0), 2 * kPi).position, *view.position), 0, 1e-5F);
-  EXPECT_FALSE(turned(View(), Vec3(0), 1).position.has_value());
+  EXPECT_FALSE(turned(CameraView(), Vec3(0), 1).position.has_value());
 }
 
 }  // namespace meristem::view_test

@@ -127,7 +127,7 @@ most `iterations` steps. `bias` is added to each direction. `tip_radius` (m) and
 
 In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. Results are
 equal on any number of `threads`. Raises TypeError and ValueError for wrong arrays, InputError for parameters out of
-range and points out of reach, Cancelled.)");
+range, Cancelled.)");
 }
 
 }  // namespace meristem::python

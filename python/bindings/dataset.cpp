@@ -87,9 +87,9 @@ using PlanPointer = std::shared_ptr<PlanInPython>;
 
 std::string scratch_folder() { return py::module_::import("tempfile").attr("gettempdir")().cast<std::string>(); }
 
-PathValues path_values(const std::vector<Override>& overrides) {
+PathValues path_values(const std::vector<ValueOverride>& overrides) {
   PathValues values;
-  for (const Override& override : overrides) values.emplace_back(override.path, override.value);
+  for (const ValueOverride& override : overrides) values.emplace_back(override.path, override.value);
   return values;
 }
 

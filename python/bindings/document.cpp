@@ -16,9 +16,9 @@
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "meristem/document/plan.h"
+#include "meristem/export/moving_file.h"
+#include "meristem/export/output_files.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/output/moving_file.h"
-#include "meristem/output/output_files.h"
 #include "meristem/plant/plant_variant.h"
 #include "values.h"
 
@@ -67,17 +67,17 @@ DocumentPointer read(const py::object& path, const py::object& set, const py::ob
 }
 
 /// Adds overrides to a document. They replace earlier overrides of equal paths.
-WrittenDocument with_overrides(WrittenDocument document, std::vector<Override> more) {
-  for (Override& next : more) {
-    std::erase_if(document.overrides, [&](const Override& old) { return old.path == next.path; });
+WrittenDocument with_overrides(WrittenDocument document, std::vector<ValueOverride> more) {
+  for (ValueOverride& next : more) {
+    std::erase_if(document.overrides, [&](const ValueOverride& old) { return old.path == next.path; });
     document.overrides.push_back(std::move(next));
   }
   return document;
 }
 
 DocumentPointer with_values(const DocumentPointer& document, const py::object& values, const py::object& seed) {
-  std::vector<Override> more = to_overrides(values);
-  const bool has_other_seed = std::ranges::any_of(more, [](const Override& one) { return one.path == "seed"; });
+  std::vector<ValueOverride> more = to_overrides(values);
+  const bool has_other_seed = std::ranges::any_of(more, [](const ValueOverride& one) { return one.path == "seed"; });
   WrittenDocument written = with_overrides(*document, std::move(more));
   if (has_other_seed) written.seed.reset();
   if (const auto other = optional_seed(seed)) written.seed = other;
@@ -159,7 +159,7 @@ std::shared_ptr<PlantInPython> plan_plant(const DocumentPointer& document, const
   const PlanRules asked = plan_rules(rules);
   const NamedByDocuments named;
   return run_call(progress, threads, [&](Progress& inner) {
-    const auto read_with = [&](std::vector<Override> more) {
+    const auto read_with = [&](std::vector<ValueOverride> more) {
       return std::make_shared<DocumentInPython>(with_overrides(*document, std::move(more)), named, inner,
                                                 document->shared);
     };
@@ -202,7 +202,8 @@ bool are_documents_equal(const DocumentPointer& document, const py::object& othe
 
 py::tuple document_state(const DocumentPointer& document) {
   py::dict overrides;
-  for (const Override& override : document->overrides) overrides[py::str(override.path)] = to_python(override.value);
+  for (const ValueOverride& override : document->overrides)
+    overrides[py::str(override.path)] = to_python(override.value);
   return py::make_tuple(document->text, document->file, overrides, document->seed, document->root);
 }
 
@@ -231,8 +232,8 @@ DocumentInPython::DocumentInPython(WrittenDocument written, const NamedByDocumen
                             .progress = &progress});
 }
 
-DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
-                                   std::string folder)
+DocumentInPython::DocumentInPython(Document read, std::vector<ValueOverride> values,
+                                   std::optional<std::uint64_t> other_seed, std::string folder)
     : WrittenDocument{.text = read.source.text,
                       .file = read.source.file,
                       .overrides = std::move(values),
@@ -246,7 +247,7 @@ const Plant& PlantInPython::plant() const {
   const auto expand = [this] {
     std::call_once(is_expanded_, [this] {
       const std::scoped_lock lock(mutex_);
-      const Limits& limits = origin->document.graph.limits;
+      const SizeLimits& limits = origin->document.graph.limits;
       expanded_ = std::make_unique<const Plant>(expanded(grown_.plant, limits, Progress()));
     });
   };

@@ -41,7 +41,7 @@ struct SharedWork {
 struct WrittenDocument {
   std::string text;
   std::string file;
-  std::vector<Override> overrides;
+  std::vector<ValueOverride> overrides;
   std::optional<std::uint64_t> seed;
   std::string root;  ///< see ReadOptions
 };
@@ -64,7 +64,7 @@ struct DocumentInPython : WrittenDocument {
   DocumentInPython(WrittenDocument written, const NamedByDocuments& named, const Progress& progress,
                    std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
   /// Wraps a document that was read already.
-  DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed,
+  DocumentInPython(Document read, std::vector<ValueOverride> values, std::optional<std::uint64_t> other_seed,
                    std::string folder);
   /// Returns the values of the text, with overrides and seed.
   Value tree() const;

@@ -21,7 +21,7 @@ namespace {
 /// Returns the result of `read(text, limits)` for a file. Its faults name the file.
 template <class Read>
 auto read_leaves(const py::object& path, Read read) {
-  const Limits limits;
+  const SizeLimits limits;
   const std::string file = path_of(path);
   const std::string text = read_file(file, limits.file_bytes);
   try {
@@ -37,8 +37,8 @@ auto read_leaves(const py::object& path, Read read) {
 template <class Read>
 std::vector<MeasuredCurve> read_warning(const py::object& path, Read read) {
   std::vector<Diagnostic> warnings;
-  std::vector<MeasuredCurve> curves =
-      read_leaves(path, [&](const std::string& text, const Limits& limits) { return read(text, limits, warnings); });
+  std::vector<MeasuredCurve> curves = read_leaves(
+      path, [&](const std::string& text, const SizeLimits& limits) { return read(text, limits, warnings); });
   for (Diagnostic& warning : warnings) {
     warning.file = path_of(path);
     if (PyErr_WarnEx(PyExc_UserWarning, warning.text().c_str(), 1) != 0) throw py::error_already_set();

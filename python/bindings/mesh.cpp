@@ -10,7 +10,7 @@
 #include "meristem/components/parts/surface_table.h"
 #include "meristem/graph/table/reader.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/tube/tubes.h"
 #include "values.h"
 
@@ -49,9 +49,9 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
 }
 
 /// Returns the arguments as a document's `surface`, which checks their ranges.
-Surface surface_of(const py::dict& values) {
-  Surface surface;
-  ParameterReader reader({}, Limits());
+SurfaceOptions surface_of(const py::dict& values) {
+  SurfaceOptions surface;
+  ParameterReader reader({}, SizeLimits());
   reader.read(surface_table(), &surface, to_value(values), DocumentPath());
   if (reader.error_count() > 0) throw InputError(reader.take_diagnostics());
   return surface;
@@ -60,7 +60,7 @@ Surface surface_of(const py::dict& values) {
 MeshPointer tubes(const std::shared_ptr<Skeleton>& skeleton, const py::object& sides, const py::object& error,
                   const py::object& uv_scale, const py::object& smooth, const py::object& collar,
                   const py::object& flare, const std::string& cap, int threads, const py::object& progress) {
-  const Surface surface = surface_of(
+  const SurfaceOptions surface = surface_of(
       py::dict(py::arg("sides") = sides, py::arg("error") = error, py::arg("uv_scale") = uv_scale,
                py::arg("smooth") = smooth, py::arg("collar") = collar, py::arg("flare") = flare, py::arg("cap") = cap));
   return run_call(progress, threads, [&](Progress& inner) {
@@ -185,7 +185,7 @@ and indices.
   refuse_new<Material>("plants have them");
   refuse_new<MeshInstances>("plants have them");
 
-  const Surface plain;
+  const SurfaceOptions plain;
   module.def("tubes", &tubes, py::arg("skeleton"), py::kw_only(), py::arg("sides") = plain.sides,
              py::arg("error") = plain.error, py::arg("uv_scale") = plain.uv_scale, py::arg("smooth") = plain.smooth,
              py::arg("collar") = plain.collar, py::arg("flare") = plain.flare, py::arg("cap") = "pointed",

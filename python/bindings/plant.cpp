@@ -7,15 +7,15 @@
 #include "document.h"
 #include "errors.h"
 #include "meristem/components/camera.h"
+#include "meristem/export/detail_levels.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/output_files.h"
+#include "meristem/export/packet/scene_packet.h"
+#include "meristem/export/picture/picture.h"
 #include "meristem/measure/counts.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/detail_levels.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/output_files.h"
-#include "meristem/output/packet/scene_packet.h"
 #include "meristem/output/picture/cards.h"
-#include "meristem/output/picture/picture.h"
 #include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/skeleton/skeleton_table.h"
@@ -90,7 +90,7 @@ py::object components_of_organs(const PlantPointer& plant) {
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
-const Limits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
+const SizeLimits& limits_of(const PlantPointer& plant) { return plant->origin->document.graph.limits; }
 
 /// Returns the numbers of the organs' trees, -1 for organs that belong to no single tree.
 py::object trees_in_python(const PlantPointer& plant) {
@@ -283,7 +283,7 @@ py::dict table_of(const PlantInPython& plant) {
 void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int cards,
           int threads, const py::object& progress) {
   const std::string target = file_of(path);
-  const Format& format = format_of(target);
+  const FileFormat& format = format_of(target);
   if ((instanced || nodes) && !format.can_instance) throw py::value_error("only .glb can be instanced");
   if (instanced && nodes) throw py::value_error("leaves are instanced or nodes, not both");
   const FormatOptions options{.instances = instanced ? GltfInstances::rows
@@ -362,7 +362,7 @@ PictureOptions planned_picture(const PlantPointer& plant, const std::optional<st
   picture.still.transparent = transparent;
   check_still_options(picture.still);
   if (view) {
-    const std::optional<View> seen = seen_from(picture.view, view->first, view->second);
+    const std::optional<CameraView> seen = seen_from(picture.view, view->first, view->second);
     if (!seen) throw py::value_error(fmt::format("view must be {}", kKnownSides));
     picture.view = *seen;
   }
@@ -474,7 +474,7 @@ Columns are read-only arrays over the plant's own memory, one entry per organ.
           "part_of_axis",
           [](const Stem& s) {
             if (!s.part_of_axis.empty()) return array_of(s.part_of_axis);
-            return array_of(std::vector<std::uint32_t>(Axes(s.skeleton).count()));
+            return array_of(std::vector<std::uint32_t>(SkeletonAxes(s.skeleton).count()));
           },
           "(axes,) uint32: the index in `parts` of each axis.")
       .def("__repr__", [](const Stem& s) {
@@ -487,7 +487,7 @@ Columns are read-only arrays over the plant's own memory, one entry per organ.
 
 std::string repr(const PlantInPython& plant) {
   const MeshScene* const meshes = plant.present_meshes();
-  const Counts counts = count(plant.unexpanded(), meshes != nullptr ? *meshes : MeshScene());
+  const PlantCounts counts = count(plant.unexpanded(), meshes != nullptr ? *meshes : MeshScene());
   std::string text = fmt::format("<meristem.Plant '{}': {} nodes, {} organs", plant.origin->document.name, counts.nodes,
                                  counts.organs);
   if (meshes != nullptr) text += fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
@@ -584,15 +584,15 @@ The lit share uses `crown_rays` rays.)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file. The ending selects the format: .glb, .obj, .ply, .labels.ply, .skeleton.ply,
-.csv, .qsm.csv, .trees.txt, .mtg.
+.csv, .qsm.csv, .trees.txt, .operations.csv, .points.csv, .mtg.
 
 `instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles. Such files are
 small, but not every program reads them. `nodes` writes leaves as nodes, which every program reads. `lod` (0 to 8) is
 the level of detail. Each level has about a quarter of the triangles of the level before. `cards` (0 to 16) writes this
 number of upright crossed cards, pictures of the plant, instead. The file appears whole or not at all. Raises ValueError
 for levels that `meristem grow --lod` does not write: levels with hardly fewer triangles than the level before, levels
-that would lose the plant's outline, and all coarser levels. Raises InputError for unknown endings and for files that
-the document reads, and MachineError.)")
+that would lose the plant's outline, and all coarser levels. Raises InputError for unknown endings, for .points.csv of
+plants that grew without `trace=True`, and for files that the document reads. Raises MachineError.)")
       .def(
           "packet", &packet, py::kw_only(), py::arg("triangles") = 0, py::arg("threads") = 0,
           py::arg("progress") = py::none(),

@@ -11,10 +11,10 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
-#include "meristem/output/formats.h"
-#include "meristem/output/output_files.h"
+#include "meristem/export/formats.h"
+#include "meristem/export/output_files.h"
+#include "meristem/export/scan/scan_request.h"
 #include "meristem/output/scan/scan_files.h"
-#include "meristem/output/scan/scan_request.h"
 #include "values.h"
 
 namespace meristem::python {

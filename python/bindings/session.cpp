@@ -74,8 +74,8 @@ SessionPointer session_of_document(const DocumentInPython& document, const py::o
   SessionOptions options{.root = own.empty() ? document.root : own, .models = models_folder(), .reads_at_once = false};
   auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, component_types(), options),
                                                 std::nullopt, options.root);
-  std::vector<Edit> edits;
-  for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
+  std::vector<SessionEdit> edits;
+  for (const ValueOverride& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
   if (document.seed) edits.emplace_back(SetValue{"seed", static_cast<double>(*document.seed)});
   if (edits.empty()) {
     read_text(made);
@@ -105,9 +105,9 @@ SessionPointer open(const py::object& path, const py::object& set, const py::obj
   return make_session(read_text_file(found.file), found.file, set, seed, py::str(found.root));
 }
 
-py::list to_python(const Patch& patch) {
+py::list to_python(const TextPatch& patch) {
   py::list splices;
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     splices.append(py::make_tuple(splice.offset, splice.length, py::str(splice.replacement)));
   }
   return splices;
@@ -119,20 +119,20 @@ py::object to_python(const std::optional<Change>& change) {
   return py::module_::import("meristem._change").attr("Change")(to_python(change->patch), to_python(change->inverse));
 }
 
-py::object edit(const SessionPointer& self, const std::vector<Edit>& edits) {
+py::object edit(const SessionPointer& self, const std::vector<SessionEdit>& edits) {
   return to_python(run_reading(
       self, [&](Session& session, const Progress* progress) { return std::optional(session.edit(edits, progress)); }));
 }
 
 py::object edit_values(const SessionPointer& self, const py::object& values) {
-  std::vector<Edit> edits;
-  for (Override& given : to_overrides(values)) edits.emplace_back(SetValue{given.path, std::move(given.value)});
+  std::vector<SessionEdit> edits;
+  for (ValueOverride& given : to_overrides(values)) edits.emplace_back(SetValue{given.path, std::move(given.value)});
   return edit(self, edits);
 }
 
 py::object edit_text(const SessionPointer& self,
                      const std::vector<std::tuple<std::size_t, std::size_t, std::string>>& splices) {
-  Patch patch;
+  TextPatch patch;
   for (const auto& [offset, length, replacement] : splices) patch.push_back({offset, length, replacement});
   return to_python(run_reading(self, [&](Session& session, const Progress* progress) {
     return std::optional(session.edit_text(patch, progress));
@@ -150,7 +150,7 @@ py::object redo(const SessionPointer& self) {
 }
 
 void preview(const SessionPointer& self, const py::object& values) {
-  std::vector<Override> overrides = to_overrides(values);
+  std::vector<ValueOverride> overrides = to_overrides(values);
   run_reading(self, [&](Session& session, const Progress* progress) {
     session.set_overrides(std::move(overrides), progress);
     return true;

@@ -11,8 +11,8 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
+#include "meristem/export/shade/shade_request.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/output/shade/shade_request.h"
 #include "values.h"
 
 namespace meristem::python {

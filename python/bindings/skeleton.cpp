@@ -147,7 +147,7 @@ SkeletonPointer read_mtg_file(const py::object& file, const std::array<std::stri
   const std::string path = path_of(file);
   return run_call(py::none(), 1, [&](Progress& progress) {
     const ReadingStop stop(&progress);
-    const Limits limits;
+    const SizeLimits limits;
     MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path,
                                    {.position = coordinates,
                                     .diameter = diameter,
@@ -165,7 +165,7 @@ SkeletonPointer read_skeleton_file(const py::object& file, double unit, const st
   const std::string path = path_of(file);
   return run_call(py::none(), 1, [&](Progress& progress) {
     const ReadingStop stop(&progress);
-    const Limits limits;
+    const SizeLimits limits;
     const NodeTable table = read_node_table(read_file(path, limits.file_bytes), path, limits);
     const bool is_y_up = up == "file" ? table.is_y_up : up == "y";
     return std::make_shared<Skeleton>(skeleton_of(table,
@@ -182,7 +182,7 @@ void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threa
   watch_of(progress)->run(threads, [&](Progress& inner) {
     Plant plant;
     plant.stems.emplace_back().skeleton = *skeleton;
-    write_skeleton_mtg(plant, Limits(), target, {}, inner);
+    write_skeleton_mtg(plant, SizeLimits(), target, {}, inner);
   });
 }
 

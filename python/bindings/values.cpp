@@ -42,8 +42,8 @@ class ValueReader {
   // Nesting is bounded, so recursion is safe, also for a list that contains itself.
   Value read(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
     if (++read_ % kReadBetweenSignals == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (depth > Limits().nesting) {
-      refuse(path, "lists and objects are nested too deeply", fmt::format("at most {} levels", Limits().nesting));
+    if (depth > SizeLimits().nesting) {
+      refuse(path, "lists and objects are nested too deeply", fmt::format("at most {} levels", SizeLimits().nesting));
     }
     if (object.is_none()) return {};
     if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
@@ -147,8 +147,8 @@ std::uint64_t seed_of(const py::handle& seed) {
   return *number;
 }
 
-std::vector<Override> to_overrides(const py::object& mapping) {
-  std::vector<Override> overrides;
+std::vector<ValueOverride> to_overrides(const py::object& mapping) {
+  std::vector<ValueOverride> overrides;
   if (mapping.is_none()) return overrides;
   const Value values = to_value(mapping);
   if (values.object() == nullptr) throw py::type_error("set must be a dict such as {'leaf.length': 0.1}");

@@ -34,6 +34,6 @@ std::string file_of(const py::object& path);
 std::uint64_t seed_of(const py::handle& seed);
 
 /// Returns the overrides of a mapping from names to values, in its order.
-std::vector<Override> to_overrides(const py::object& mapping);
+std::vector<ValueOverride> to_overrides(const py::object& mapping);
 
 }  // namespace meristem::python

@@ -126,7 +126,6 @@ def test_growing_is_cancelled_and_told() -> None:
     ({"shed": "height <"}, "shed", "the expression ends"),
     ({"seed": -1}, "seed", "out of range"),
     ({"roots": [1e6, 0, 0]}, "roots[0][0]", "out of range"),
-    ({"iterations": 3}, "iterations", "the crown is out of reach"),
 ])
 def test_wrong_parameters_are_named(arguments: dict[str, Any], path: str, message: str) -> None:
     with pytest.raises(meristem.InputError) as caught:

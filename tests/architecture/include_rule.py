@@ -15,6 +15,8 @@ left out unnoticed.
 Constants and types in unnamed namespaces have unique names in a room, because sources are compiled in batches. A test
 has a namespace with its file's name, so its helpers may have any names. A room links exactly the rooms whose headers it
 includes, and the folders of a room do not include each other in a circle.
+
+A public type says what it belongs to (`PlantCounts`, not `Counts`). One word is enough only for the nouns in NOUNS.
 """
 
 import re
@@ -22,16 +24,25 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output",
+ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "output", "graph", "components", "document", "export",
          "dataset"]
 DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
          "valijson/", "Eigen/")
+# Public types of one word: nouns of the field, of geometry and of programming that mean one thing in the whole library.
+NOUNS = set("""
+    Alphabet Animation Asset Box Bud Cache Camera Cancelled Change Colonize Crown Curve Deformation Diagnostic Directions
+    Document Ellipsoid Emitted Emitter Expression Fingerprint Frame Grammar Graph Grower Image Individual Lamp Letter
+    Light Link Loft Material Measures Mesh Metamers Obstacle Obstacles Organ Parameter Phyllotaxis Plant Planting
+    Progress Prototype Provenance Ray Registry Scan Scanner Scene Seedling Session Site Skeleton Sky Stand Stem
+    Surroundings Table Texture Tropism Value Variable Varying Word
+""".split())
 LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE", "TESTED_WITH")
 
 DECLARATION = re.compile(r"(?!(inline )?namespace\b)(//|[A-Za-z])")
 OWN_NAME = re.compile(r"(?:inline )?(?:constexpr|const) [^=;({]*?\b(?P<constant>k[A-Z]\w*)\b|"
                       r"(?:struct|class|enum class|enum) (?P<type>\w+)(?!.*;$)|using (?P<alias>\w+) =")
+PUBLIC_TYPE = re.compile(r"(?:struct|class|enum class|enum) (?P<type>[A-Z][a-z]+)\b(?!.*;$)|using (?P<alias>[A-Z][a-z]+) =")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
 
 
@@ -150,6 +161,16 @@ def check_sentences(root: Path, public: set[Path]) -> Iterator[Fault]:
         declared = first_declaration(lines, guard + 1)
         if declared is not None and not lines[declared].startswith("//") and "///<" not in lines[declared]:
             yield Fault(path, declared + 1, "the header says neither at its head nor here what it is for")
+
+
+def check_type_names(root: Path, public: set[Path]) -> Iterator[Fault]:
+    """Checks that public types have names of several words, or one of the nouns that mean one thing everywhere."""
+    for path in sorted(public):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            found = PUBLIC_TYPE.match(line)
+            name = found and (found["type"] or found["alias"])
+            if name and name not in NOUNS:
+                yield Fault(path, number, f"{name} is one general word; say what it belongs to, as in PlantCounts")
 
 
 def first_declaration(lines: list[str], begin: int) -> int | None:
@@ -295,6 +316,7 @@ def check(root: Path) -> list[Fault]:
         folder = root / "meristem" / room
         faults += check_batches(root, [folder / name for name in lists[room]["SOURCES"] if (folder / name).is_file()])
     faults += check_sentences(root, public)
+    faults += check_type_names(root, public)
     for folder in [root / "meristem", *(root / door for door in DOORS)]:
         faults += check_tests(folder)
     for door in DOORS:

@@ -136,6 +136,18 @@ class IncludeRule(unittest.TestCase):
         self.write("meristem/plant/a.h", licence + body % "/// A thing.\n")
         self.assertEqual(self.faults(), [])
 
+    def test_a_public_type_says_what_it_belongs_to(self) -> None:
+        form = "// Things.\n#pragma once\n\nnamespace meristem {\n\n%s\n\n}  // namespace meristem\n"
+        for good in ("struct PlantCounts {\n  struct Way {};\n};", "class Plant {\n};", "class Way;", "using Vec3 = int;"):
+            self.write("meristem/plant/a.h", form % good)
+            self.assertEqual(self.faults(), [], good)
+        for bad in ("struct Counts {", "class Work final {", "enum class Held {", "using Room = int;"):
+            self.write("meristem/plant/a.h", form % bad)
+            self.assert_only_fault("meristem/plant/a.h:6:", "one general word")
+            self.write("meristem/plant/a.h", "// Things.\n#pragma once\n")
+            self.write("meristem/plant/b.h", form % bad)  # not public
+            self.assertEqual(self.faults(), [])
+
     def test_sources_of_a_batch_have_names_of_their_own(self) -> None:
         own = '#include "meristem/shape/%s.h"\n\nnamespace {\n\n%s\n\n}  // namespace\n'
         for first, second in (("constexpr double kStep = 1;", "constexpr int kStep = 2;"),

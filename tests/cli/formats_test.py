@@ -2,26 +2,36 @@
 # SPDX-License-Identifier: Apache-2.0
 """The content of the files of one plant, read with Python's standard library.
 
-Usage: formats_test.py PROGRAM [unittest options]
+Usage: formats_test.py PROGRAM REPOSITORY [unittest options]
 """
 
 import csv
 import io
 import json
 import os
+import pathlib
 import re
 import struct
+import subprocess
+import sys
 import unittest
 
 import cli_case
 from cli_case import DONE, FAILED, LONG_GROWTH, LONG_RENDER, MTG, TREE, WRONG_INPUT
 
+REPOSITORY = pathlib.Path(sys.argv.pop(1))
+
+
+def endings():
+    """Returns the endings of all formats in the order of the program's table, which its help lists."""
+    text = subprocess.run([cli_case.PROGRAM, "grow", "--help"], capture_output=True, check=True, timeout=300).stdout
+    return re.findall(r"^  (\.\S+) ", text.decode(), re.MULTILINE)
+
 
 class Formats(cli_case.Case):
     """All files of one plant must have equal content. They are read with Python's standard library."""
 
-    FILES = ["a.glb", "a.obj", "a.ply", "a.labels.ply", "a.skeleton.ply", "a.csv", "a.qsm.csv", "a.trees.txt",
-             "a.operations.csv", "a.points.csv", "a.mtg"]
+    FILES = ["a" + ending for ending in endings()]
 
     def setUp(self):
         super().setUp()
@@ -107,9 +117,22 @@ class Formats(cli_case.Case):
                 self.assert_ends(DONE, "grow", "tree.json", "-o", "b" + name, "--threads", threads)
                 self.assertEqual(self.read("b" + name).replace(b"ba.mtl", b"a.mtl"), self.read(name))
 
-    def test_help_lists_every_ending(self):
-        text = self.run_program("grow", "--help").stdout.decode()
-        self.assertEqual(re.findall(r"^  (\.\S+) ", text, re.MULTILINE), [name[1:] for name in self.FILES])
+    def test_pages_name_the_endings_of_the_table(self):
+        known = endings()
+        self.assertIn(".glb", known)
+
+        def page(name):
+            return (REPOSITORY / name).read_text(encoding="utf-8")
+
+        table = page("docs/manual/files.md").split("| ending |", 1)[1].split("\n\n", 1)[0]
+        self.assertEqual(re.findall(r"^\| `(\.\S+)` \|", table, re.MULTILINE), known)
+        sentence = page("docs/manual/command-line.md").split("The file's ending selects the format:", 1)[1].split("[Files]")[0]
+        self.assertCountEqual(re.findall(r"`(\.\S+)`", sentence), known)
+        row = page("docs/manual/many-plants.md").split("| `files` |", 1)[1].split("or [scans]")[0]
+        self.assertEqual(re.findall(r"`(\.\S+)`", row), known)
+        docstring = page("python/bindings/plant.cpp").split('.def("save", &save', 1)[1].split('R"(', 1)[1]
+        self.assertEqual(re.findall(r"(\.[a-z.]*[a-z])(?=[,.])", docstring.split("selects the format:", 1)[1].split("\n\n")[0]),
+                         known)
 
 
 class Looks(cli_case.Case):

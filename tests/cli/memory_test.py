@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Peak memory of growth, as reported by the system. It does not depend on the speed of the program."""
 
+import json
 import unittest
 
 import cli_case
@@ -46,6 +47,15 @@ TWIGS = """{
     "twig": {"type": "tree", "length": 0.1, "segments": 1}
   },
   "links": [["field", "stem"], {"from": "stem", "to": "twig", "kind": "branch", "count": 100}]
+}"""
+
+STAND = """{
+  "meristem": 1,
+  "components": {
+    "row": {"type": "field", "rows": 1, "plants": %d, "spacing": 9},
+    "oak": {"type": "document", "file": "oak", "set": {"age": 20}}
+  },
+  "links": [["row", "oak"]]
 }"""
 
 # Three limits are passed: points of trees, triangles of leaves, and plants of other documents.
@@ -102,6 +112,24 @@ class MemoryTest(cli_case.Case):
 
     def test_a_twig_that_joins_its_stem_takes_less_than_1200_bytes(self):
         self.assertLess(self.bytes_each(TWIGS, (50, 250), 200_000), 1200)
+
+    def bytes_per_triangle(self, *arguments):
+        """Returns the memory of more oaks, all of them different, divided by their triangles."""
+        sizes = []
+        for oaks in (3, 9):
+            self.write("stand.json", STAND % oaks)
+            code, peak = self.peak(arguments[0], "stand.json", *arguments[1:])
+            self.assertEqual(code, cli_case.DONE)
+            done = self.run_program("measure", "stand.json", "--only", "triangles", "--json")
+            sizes.append((peak, json.loads(done.stdout)["triangles"]))
+        return (sizes[1][0] - sizes[0][0]) / (sizes[1][1] - sizes[0][1])
+
+    def test_more_oaks_of_a_stand_take_few_bytes_for_a_triangle(self):
+        scan = ("scan", "-o", "stand.las", "--set", "instrument.step=5")
+        self.assertLess(self.bytes_per_triangle(*scan), 120)
+        render = ("render", "-o", "stand.png", "--size", "40x30", "--samples", "1")
+        self.assertLess(self.bytes_per_triangle(*render), 130)
+        self.assertLess(self.bytes_per_triangle("measure", "-o", "stand.csv", "--each"), 30)
 
     def test_counts_are_checked_at_once_before_growth(self):
         self.write("many.json", MANY)

@@ -78,7 +78,19 @@ for name in pictures:
     if f"docs/manual/figures/{name}.jpg" not in manifest:
         fail(f"figures.txt: docs/pictures.txt has no {name}; draw it with ./dev gallery")
 
-if not (models and documents and pictures):
+# Each type except the camera has a document and a picture for the palette of the studio.
+listed = subprocess.run([program, "components", "--json"], capture_output=True, text=True, check=True, timeout=60).stdout
+types = list(json.loads(listed)["components"])
+for name in types:
+    part = repository / "apps/studio/parts" / f"{name}.json"
+    if name == "camera":
+        continue
+    if not part.is_file():
+        fail(f"{part}: the studio's palette needs a document of the type {name}")
+    elif f"apps/studio/parts/{name}.jpg" not in manifest:
+        fail(f"docs/pictures.txt has no picture of {part}; draw it with ./dev gallery")
+
+if not (models and documents and pictures and types):
     fail("there are no models, no documents or no figures")
 print(f"{len(models)} models, {len(documents)} documents of {len(pictures)} figures, {failures} faults")
 sys.exit(failures > 0)

@@ -126,6 +126,29 @@ class LightStudy(Page):
             f"{self.mean('shift', 'A', 0.01)['height']:.1f} m (scene A) or {self.mean('shift', 'B', 0.01)['height']:.1f} m "
             "(scene B) at 0.010")
 
+    def test_a_day_in_the_open(self):
+        rows = {(row["response"], row["strength"], row["hour"]): row for row in table("light-study/hours.csv")}
+        day = [100 * rows["limit", share, -1]["lit_share"] for share in (0, 0.36, 0.6)]
+        self.says(f"a lit share of {day[0]:.1f}, {day[1]:.1f} and {day[2]:.1f} % over this day")
+        for hour in range(5, 13):
+            none, some, most = (100 * rows["limit", share, hour]["lit_share"] for share in (0, 0.36, 0.6))
+            self.says(f"| {hour} | {rows['limit', 0, hour]['altitude']:.1f}° | {none:.1f} % | {some:.1f} % | {most:.1f} % | "
+                      f"{signed(most - none, 1)} |")
+
+        def change(weight):
+            weights = {hour: weight(rows["shift", 0, hour]["altitude"]) for hour in range(5, 20)}
+            return sum(100 * weight / sum(weights.values()) *
+                       (rows["shift", 0.01, hour]["lit_share"] - rows["shift", 0, hour]["lit_share"])
+                       for hour, weight in weights.items())
+
+        trees = {(tree["strength"], tree["seed"]): 100 * tree["lit_share_day"] for tree in table("light-study/trees.csv")
+                 if (tree["response"], tree["scene"]) == ("shift", "A")}
+        spread = statistics.stdev(trees[0.01, seed] - trees[0, seed] for seed in range(10))
+        self.says(f"the share changes by {signed(change(lambda altitude: 1), 1)} points",
+                  f"weighted by the sun's altitude, by {signed(change(lambda altitude: altitude), 1)}.",
+                  f"varies by {spread:.1f} points from cloud to cloud",
+                  f"a mean of ten is certain to {spread / 10 ** 0.5:.1f} points")
+
     def test_what_response_b_gains(self):
         rows = {"A": [("A, `shift_m` 0.010", "shift", 0.01), ("A, `shift_m` 0.010, cloud scaled", "shift_scaled", 0.01),
                       ("B, `limit.share` 0.36", "limit", 0.36), ("B, `limit.share` 0.6", "limit", 0.6)],
@@ -208,6 +231,19 @@ class CutStudy(Page):
         self.says(f"The {len(alike)} trees that branch as the published tree does",
                   f"the gains are {gains[0]:.0f}, {gains[2]:.0f} and {gains[4]:.0f} %, from bud to bud {gains[1]:.0f} and "
                   f"{gains[3]:.0f} %")
+
+    def test_trials_for_laterals_3_and_5(self):
+        rows = {row["settings"]: row for row in table("cut-study/trials.csv")}
+        self.assertEqual(len(rows), 8)
+        for row in rows.values():
+            numbers = " | ".join(f"{row[name]:.2f}" for name in ("total", "lateral_1", "lateral_3", "lateral_5"))
+            self.says(f"| {row['trees']:.0f} | {numbers} | {row['largest_3']:.1f} |")
+        less = rows["less shade: a 0.1"]
+        self.assertAlmostEqual(less["lateral_5"], 7.94, delta=0.1)
+        self.assertAlmostEqual(less["lateral_3"] / 8.234, 2 / 3, delta=0.05)
+        largest = rows["more for the terminal side: lambda 0.53"]["largest_3"]
+        self.says(f"the largest lateral 3 has {largest:.1f}")
+        self.assertLess(max(row["lateral_3"] for row in rows.values() if row["total"] < 45), 8.2)
 
     def test_readings(self):
         for words, reading in (("**the reading of this page**", "as in the text"),

@@ -8,9 +8,9 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
+#include "meristem/export/measure_report.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/gltf/gltf.h"
-#include "meristem/output/measure_report.h"
 #include "meristem/output/picture/still.h"
 #include "meristem/output/write/png.h"
 

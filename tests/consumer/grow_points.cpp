@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grows a tree beside a wall by space colonization, without a document, and writes its nodes as skeleton.csv.
+// Grows a tree beside a wall by space colonization, without a document. Writes its nodes as skeleton.csv and its
+// surface as skeleton.glb.
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -9,11 +10,13 @@
 
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/stand.h"
+#include "meristem/output/gltf/gltf.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/crown/crown_points.h"
 #include "meristem/scene/crown/solid_crowns.h"
 #include "meristem/scene/scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 
 int main() {
   meristem::Progress progress;
@@ -57,5 +60,8 @@ int main() {
   std::printf("%zu nodes, the farthest tip %.2f m from the root\n", skeleton.node_count(),
               *std::max_element(way.begin(), way.end()));
   skeleton.extra["way"] = std::move(way);
-  meristem::write_skeleton_csv(plant, meristem::Limits(), "skeleton.csv", progress);
+  meristem::write_skeleton_csv(plant, meristem::SizeLimits(), "skeleton.csv", progress);
+
+  plant.materials.emplace_back().name = "bark";
+  meristem::write_glb(meristem::make_mesh_scene(plant, meristem::SizeLimits(), progress), "skeleton.glb", {}, progress);
 }

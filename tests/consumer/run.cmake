@@ -37,7 +37,7 @@ execute_process(COMMAND ${program} check ${PLUGIN}/thorns.json --plugin ${WORK}/
 if(NOT result EQUAL 2 OR NOT errors MATCHES "there is already a component type 'thorn'")
   message(FATAL_ERROR "a plug-in may be loaded twice: ${errors}")
 endif()
-foreach(name plugin.glb plant.glb plant.png measures.json edited.json skeleton.csv thorns.obj)
+foreach(name plugin.glb plant.glb plant.png measures.json edited.json skeleton.csv skeleton.glb thorns.obj)
   if(NOT EXISTS ${WORK}/build/${name})
     message(FATAL_ERROR "the programs did not write ${name}")
   endif()

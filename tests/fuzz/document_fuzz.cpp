@@ -16,7 +16,7 @@ namespace {
 using namespace meristem;
 
 /// Limits that override the document's, so that one run takes milliseconds.
-std::vector<Override> tight_limits() {
+std::vector<ValueOverride> tight_limits() {
   return {{"limits.points", 500},
           {"limits.nodes", 2000},
           {"limits.instances", 500},

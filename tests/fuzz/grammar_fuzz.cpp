@@ -25,7 +25,7 @@ void require_letters_of(const Grammar& grammar, const std::vector<ModuleTemplate
 
 void require_sound_rules(const Grammar& grammar, const RuleSet& set) {
   require(set.of_letter.size() == grammar.alphabet.size());
-  for (const Rule& rule : set.rules) {
+  for (const GrammarRule& rule : set.rules) {
     require(rule.line > 0 && rule.predecessor < grammar.alphabet.size());
     require(rule.variable_count <= kMaxVariables);
     for (const auto* context : {&rule.left, &rule.right}) {
@@ -49,7 +49,7 @@ Word axiom_of(const Grammar& grammar) {
 
 /// Derives and draws words. The caller must check that all exceptions are InputErrors.
 void derive_and_draw(const Grammar& grammar) {
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 20'000;
   limits.nodes = 10'000;
   Progress progress;
@@ -58,7 +58,7 @@ void derive_and_draw(const Grammar& grammar) {
   require(seen.module_count() <= limits.modules);
   for (const auto reading : {TurtleParameters::Reading::frame, TurtleParameters::Reading::polar}) {
     const TurtleParameters parameters{.reading = reading, .elasticity = 0.1};
-    const Drawing drawing = draw(seen, grammar.alphabet, parameters, {}, limits, "components.plant", progress);
+    const WordDrawing drawing = draw(seen, grammar.alphabet, parameters, {}, limits, "components.plant", progress);
     const Skeleton& skeleton = drawing.skeleton;
     for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
       require(skeleton.parent[node] == kNoNode || skeleton.parent[node] < node);

@@ -11,7 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
-  Limits limits;
+  SizeLimits limits;
   limits.picture_pixels = 10'000;
   try {
     const Image image = parse_image({reinterpret_cast<const char*>(data), size}, "picture", limits);

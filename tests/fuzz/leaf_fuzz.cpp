@@ -24,12 +24,12 @@ using namespace meristem;
 constexpr std::string_view kBetween = "\n===\n";
 constexpr std::size_t kMaxLeaves = 4;
 
-void require_lines(const InputError& error, const Limits& limits) {
+void require_lines(const InputError& error, const SizeLimits& limits) {
   require(!error.diagnostics().empty() && error.diagnostics().size() <= limits.diagnostics);
   for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.line >= 0);
 }
 
-std::vector<MeasuredCurve> midribs_of(std::string_view text, const Limits& limits) {
+std::vector<MeasuredCurve> midribs_of(std::string_view text, const SizeLimits& limits) {
   try {
     std::vector<Diagnostic> warnings;
     return read_midribs(text, limits, warnings);
@@ -39,7 +39,7 @@ std::vector<MeasuredCurve> midribs_of(std::string_view text, const Limits& limit
   }
 }
 
-std::vector<MeasuredCurve> widths_of(std::string_view text, const Limits& limits) {
+std::vector<MeasuredCurve> widths_of(std::string_view text, const SizeLimits& limits) {
   try {
     std::vector<Diagnostic> warnings;
     return read_widths(text, limits, warnings);
@@ -95,7 +95,7 @@ void go_through_stages(const MeasuredCurve& midrib, const MeasuredCurve& widths)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::size_t between = std::min(text.find(kBetween), size);
-  const Limits limits;
+  const SizeLimits limits;
   const std::vector<MeasuredCurve> midribs = midribs_of(text.substr(0, between), limits);
   const std::vector<MeasuredCurve> widths = widths_of(text.substr(std::min(between + kBetween.size(), size)), limits);
   if (widths.empty()) return 0;

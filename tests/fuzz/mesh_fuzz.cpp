@@ -12,7 +12,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = 5000;
   limits.instances = 1000;
   try {

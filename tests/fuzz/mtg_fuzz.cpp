@@ -39,7 +39,7 @@ std::string written(const Skeleton& skeleton) {
   static const std::string kPath = "/dev/shm/mtg_fuzz_" + std::to_string(getpid());
   Progress progress;
   write_skeleton_mtg(plant_of(skeleton), {}, kPath, {}, progress);
-  std::string text = read_file(kPath, Limits{}.file_bytes);
+  std::string text = read_file(kPath, SizeLimits{}.file_bytes);
   unlink(kPath.c_str());
   return text;
 }
@@ -57,7 +57,7 @@ void check_round_trip(const Skeleton& skeleton) {
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 2000;
   try {
     const MtgTree tree = read_mtg(text, "fuzz", limits);

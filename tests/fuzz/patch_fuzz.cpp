@@ -36,7 +36,7 @@ std::string chosen_path(const Value& root, std::uint8_t way) {
   return path;
 }
 
-Patch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
+TextPatch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
   switch (kind % 10) {
     case 0:
       return set_value(tree, path, value);
@@ -72,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t line = all.find('\n');
   if (line == std::string::npos) return 0;
   const std::string text = all.substr(line + 1);
-  Patch patch;
+  TextPatch patch;
   try {
     const Value value = parse_json(all.substr(0, line));
     const LocatedTree tree(text);

@@ -12,7 +12,7 @@
 namespace meristem {
 
 static void read(const std::string& text) {
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   std::vector<Diagnostic> warnings;
   try {
     const PlaceTable places = read_place_table(text, "fuzz.csv", reader, warnings);

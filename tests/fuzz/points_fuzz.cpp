@@ -11,7 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
-  Limits limits;
+  SizeLimits limits;
   limits.points = 5000;
   try {
     const PointCloud points = parse_points({reinterpret_cast<const char*>(data), size}, "scan", limits);

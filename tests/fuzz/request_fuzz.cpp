@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const NumberedRequest read = read_request(message);
     require(request_id(message) == read.id);
     if (const auto* splice = std::get_if<SpliceRequest>(&read.request)) {
-      const Patch patch = in_bytes(text, splice->patch);
+      const TextPatch patch = in_bytes(text, splice->patch);
       require(is_sound(patch, text.size()));
       const std::string edited = apply_patch(text, patch);
       require(apply_patch(edited, inverse_patch(text, patch)) == text);

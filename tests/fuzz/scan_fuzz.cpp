@@ -7,7 +7,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/json.h"
-#include "meristem/output/scan/scan_request.h"
+#include "meristem/export/scan/scan_request.h"
 #include "tests/fuzz/require.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace meristem;
   try {
     const ScanPlan plan = plan_scan(parse_json({reinterpret_cast<const char*>(data), size}), 1);
-    const Instrument& instrument = plan.options.instrument;
+    const ScanInstrument& instrument = plan.options.instrument;
     require(instrument.step > 0 && instrument.rays >= 1 && instrument.returns >= 1 && instrument.returns <= 15);
     require(instrument.highest > instrument.lowest && instrument.farthest > instrument.nearest);
     require(plan.options.around >= 1 && std::isfinite(instrument.footprint(10)));

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/shade/shade_request.h"
+#include "meristem/export/shade/shade_request.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

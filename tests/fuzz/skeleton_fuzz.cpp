@@ -37,7 +37,7 @@ void check_skeleton(const Skeleton& skeleton) {
 }
 
 /// Grows one iteration on the first tree. Existing wood must keep its place.
-void go_on(const Skeleton& skeleton, const Limits& limits) {
+void go_on(const Skeleton& skeleton, const SizeLimits& limits) {
   Skeleton tree = split_trees(skeleton).front();
   assign_pipe_radii(tree, {});
   const Vec3 root = tree.position[0];
@@ -58,7 +58,7 @@ void go_on(const Skeleton& skeleton, const Limits& limits) {
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer requires this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 2000;
   limits.mesh_bytes = 20'000'000;
   const ThreadLimit one_thread(1);

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/output/detail_levels.h"
-#include "meristem/shape/outline.h"
+#include "meristem/export/detail_levels.h"
+#include "meristem/shape/outline/outline.h"
 #include "tests/support/detailed_model.h"
 
 namespace meristem::levels_of_models_test {

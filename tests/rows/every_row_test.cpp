@@ -180,8 +180,10 @@ class RowWalk {
   /// Returns the table of a list element, which depends on its kind if there are several kinds.
   static const ParameterTable& table_of(const Parameter& list, const Value& element) {
     if (list.kinds == nullptr) return list.nested();
-    const Kinds& kinds = list.kinds();
-    const auto of_element = [&](const Kinds::Kind& kind) { return *element.find(kinds.key) == Value(kind.name); };
+    const ElementKinds& kinds = list.kinds();
+    const auto of_element = [&](const ElementKinds::Kind& kind) {
+      return *element.find(kinds.key) == Value(kind.name);
+    };
     return std::find_if(kinds.kinds.begin(), kinds.kinds.end(), of_element)->table();
   }
 
@@ -249,7 +251,7 @@ class RowWalk {
     return is_refused ? Outcome::refused : Outcome::unfit;
   }
 
-  std::optional<std::uint64_t> result_with(const std::vector<Override>& overrides) const {
+  std::optional<std::uint64_t> result_with(const std::vector<ValueOverride>& overrides) const {
     return hash_of_result(read_document(base_.text, base_.file, builtin_components(), {.overrides = overrides}));
   }
 

@@ -62,7 +62,7 @@ void add(Fingerprint& hash, const Scene& scene) {
   }
 }
 
-void add(Fingerprint& hash, const View& view) {
+void add(Fingerprint& hash, const CameraView& view) {
   add(hash, view.position);
   add(hash, view.target);
   hash.add(view.azimuth).add(view.altitude).add(view.field_of_view);

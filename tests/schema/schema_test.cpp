@@ -198,8 +198,8 @@ TEST(Schema, AListOfKindsTakesEachKindWithItsOwnRowsAlone) {
         Table<Bend>("a bend", "Turns.").number("angle", &Bend::angle, {.max = 9}, "How far.").elsewhere({"do"});
     return table;
   };
-  static const auto work_kinds = []() -> const Kinds& {
-    static const Kinds kinds{
+  static const auto work_kinds = []() -> const ElementKinds& {
+    static const ElementKinds kinds{
         "a piece of work", "What is done.", "do", "Its kind.", {{"snip", snip_table}, {"bend", bend_table}}};
     return kinds;
   };

@@ -126,7 +126,7 @@ class GrammarBuilder {
       std::string right = predecessor;
       predecessor = take_until(right, ">");
 
-      Rule rule;
+      GrammarRule rule;
       rule.text = text;
       rule.line = static_cast<int>(set.rules.size()) + 1;
       std::vector<std::string> variables;

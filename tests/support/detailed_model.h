@@ -15,7 +15,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
-#include "meristem/output/detail_levels.h"
+#include "meristem/export/detail_levels.h"
 
 namespace meristem {
 

@@ -38,7 +38,7 @@ inline EvaluatedTree evaluate_tree(const Scene& scene, const LightResponse& ligh
   std::vector<Vec3> cloud = evaluation_cloud(number);
   for (Vec3& point : cloud) point *= static_cast<float>(scale);
   const Skeleton skeleton = grow_evaluation_tree(cloud, scene, light);
-  const TreeForm form = measure_form(skeleton, Children(skeleton));
+  const TreeForm form = measure_form(skeleton, NodeChildren(skeleton));
   return {.lean = form.segment_sum,
           .centroid = form.node_sum / static_cast<double>(form.nodes),
           .height = form.height,

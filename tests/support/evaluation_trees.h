@@ -33,7 +33,8 @@ inline Skeleton grow_evaluation_tree(const std::vector<Vec3>& cloud, const Scene
                                       .finish = {.decimate = 0, .relax = false, .subdivide = 0}};
   Progress progress;
   Stand stand;
-  stand.add(make_colonizer(stand, {{Vec3(0), cloud}}, parameters, RandomKey(1), scene, Limits(), "tree", Progress()));
+  stand.add(
+      make_colonizer(stand, {{Vec3(0), cloud}}, parameters, RandomKey(1), scene, SizeLimits(), "tree", Progress()));
   stand.grow(progress);
   return std::move(stand.take_skeletons(progress)[0]);
 }

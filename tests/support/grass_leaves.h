@@ -113,7 +113,7 @@ inline std::vector<MeasuredGrass> measured_grasses() {
                  {wheat + "So99.csv", wheat + "median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv",
                   wheat + "SRSo.csv"});
   std::vector<Diagnostic> warnings;
-  const auto text = [&](std::size_t k) { return read_file(files[k], Limits{}.file_bytes); };
+  const auto text = [&](std::size_t k) { return read_file(files[k], SizeLimits{}.file_bytes); };
   std::vector<MeasuredGrass> grasses;
   for (std::size_t k = 0; k + 2 < files.size(); k += 3) {
     grasses.push_back({.name = k == 0 ? "synthetic leaves" : "leaves of wheat",

@@ -25,11 +25,11 @@ inline OrganizeParameters slim(int iterations) { return organized(1.8, iteration
 inline OrganizeParameters full(int iterations) { return organized(2, iterations); }
 
 /// Returns a cut of a named shoot that keeps `above` of its metamers.
-inline Operation cut_above(int at, const std::string& shoot, int above) {
-  Cut cut;
+inline TreeOperation cut_above(int at, const std::string& shoot, int above) {
+  CutOperation cut;
   cut.above = above;
-  Operation operation;
-  operation.when = Schedule::at(at);
+  TreeOperation operation;
+  operation.when = OperationSchedule::at(at);
   operation.shoots = ShootChoice::label(shoot);
   operation.path = "components.tree.operations[0]";
   operation.what = cut;
@@ -38,13 +38,13 @@ inline Operation cut_above(int at, const std::string& shoot, int above) {
 
 /// Adds one tree to a stand.
 inline void add_organizer(Stand& stand, const OrganizeParameters& parameters, std::uint64_t seed, const Scene& scene,
-                          const Frame& frame = {}, const Limits& limits = {}) {
+                          const Frame& frame = {}, const SizeLimits& limits = {}) {
   stand.add(make_organizer(stand, {{frame, nullptr}}, parameters, RandomKey(seed), scene, limits, "tree"));
 }
 
 /// Grows a single tree, at the origin if no frame is given.
 inline Skeleton grow_organized(const OrganizeParameters& parameters, std::uint64_t seed = 1, const Scene& scene = {},
-                               const Frame& frame = {}, const Limits& limits = {}) {
+                               const Frame& frame = {}, const SizeLimits& limits = {}) {
   Stand stand;
   add_organizer(stand, parameters, seed, scene, frame, limits);
   Progress progress;

@@ -50,7 +50,7 @@ ComponentType many_type() {
 
 ComponentType camera_type() {
   return define_component<Many>({
-      .traits = {.name = "camera", .doc = "The root.", .is_camera = true},
+      .traits = {.name = "camera", .doc = "The root.", .is_camera = true, .bears_plants = true},
       .parameters = Table<Many>("a camera", "The root."),
       .expand = [](const Many&, const Site&) {},
   });

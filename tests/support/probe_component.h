@@ -12,7 +12,7 @@
 namespace meristem::probe {
 
 struct Probe : ComponentBase {
-  Count parts{2.5};
+  PartCount parts{2.5};
   double size = 1;
   double age = 1;
 };

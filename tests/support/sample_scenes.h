@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "meristem/base/random.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

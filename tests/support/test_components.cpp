@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "meristem/grow/stand.h"
+
 namespace meristem {
 namespace {
 
@@ -101,8 +103,107 @@ ComponentType pole() {
                                 static_cast<float>(k));
               skeleton.radius.back() = 0.01F;
             }
-            stems.add(std::move(skeleton), Surface{});
+            stems.add(std::move(skeleton), SurfaceOptions{});
           },
+  });
+}
+
+/// Returns a vertical stem of two nodes from the origin of a frame.
+Skeleton stem_of(const Frame& frame, double height) {
+  Skeleton skeleton;
+  skeleton.add_node(kNoNode, frame.origin, 0);
+  skeleton.add_node(0, frame.point({0, static_cast<float>(height), 0}), 1);
+  for (float& radius : skeleton.radius) radius = 0.01F;
+  return skeleton;
+}
+
+constexpr int kSproutSteps = 2;
+
+/// Height of a sprout after a number of steps.
+double height_after(int steps, double whole) { return whole * steps / kSproutSteps; }
+
+class SproutTrace final : public GrowthTrace {
+ public:
+  SproutTrace(const Frame& frame, double height) : frame_(frame), height_(height) {}
+
+  int last_step() const override { return kSproutSteps; }
+  std::uint64_t bytes() const override { return 0; }
+
+ private:
+  Skeleton standing_after(int step, const Scene&, Progress&) const override {
+    return stem_of(frame_, height_after(step, height_));
+  }
+  StepMarks marks_of(int, TraceRequest, const Progress&) const override { return {}; }
+
+  Frame frame_;
+  double height_;
+};
+
+/// Counts the sprouts of a stand.
+class SproutCount final : public StandCommons {
+ public:
+  int number = 0;
+
+  void begin_round(Progress&) override {}
+};
+
+class SproutGrower final : public Grower {
+ public:
+  SproutGrower(double height, const GrowContext& context)
+      : height_(height), is_traced_(context.request.any()), sprouts_(context.stand.commons<SproutCount>()) {
+    ++sprouts_.number;
+  }
+
+  int step_limit() const override { return kSproutSteps; }
+  bool step(Progress&) override {
+    neighbours_ = sprouts_.number;
+    return ++steps_ < kSproutSteps;
+  }
+  std::unique_ptr<GrowthTrace> take_trace() override {
+    return is_traced_ ? std::make_unique<SproutTrace>(place, height_ / neighbours_) : nullptr;
+  }
+  Skeleton take_skeleton(Progress&) override { return stem_of(place, height_after(steps_, height_ / neighbours_)); }
+
+ private:
+  double height_;
+  bool is_traced_;
+  SproutCount& sprouts_;  // exists only during the growth
+  int neighbours_ = 1;    // number of sprouts in the stand, itself included
+  int steps_ = 0;
+};
+
+struct Sprout : GrowingComponent {
+  double height = 1;
+  bool watches = false;
+};
+
+ComponentType sprout() {
+  return define_component<Sprout>({
+      .traits = {.name = "sprout", .doc = "Grows a stem.", .makes_stems = true, .stance = BranchStance::on_axis},
+      .parameters =
+          Table<Sprout>("a sprout", "Grows a stem.")
+              .number("height", &Sprout::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Height if it is alone.")
+              .boolean("watches", &Sprout::watches, "True: shows the growth of another component."),
+      .expand = [](const Sprout&, const Site&, StemSink& stems) { stems.add(stems.take_grown(), SurfaceOptions{}); },
+      .grow = [](const Sprout& sprout, const Site&, const GrowContext& context) -> std::unique_ptr<Grower> {
+        return std::make_unique<SproutGrower>(sprout.height, context);
+      },
+      .watches_growth = [](const Sprout& sprout) { return sprout.watches; },
+  });
+}
+
+struct Timer : ComponentBase {
+  double delay = 0;
+  double speed = 1;
+};
+
+ComponentType timer() {
+  return define_component<Timer>({
+      .traits = {.name = "timer", .doc = "Begins a clock.", .has_geometry = false, .begins_clock = true},
+      .parameters = Table<Timer>("a timer", "Begins a clock.")
+                        .number("delay", &Timer::delay, {.unit = Unit::second, .min = 0, .max = 100}, "Until it runs.")
+                        .number("speed", &Timer::speed, {.min = 0.1, .max = 10}, "Relative to the clock above."),
+      .expand = [](const Timer& timer, const Site&, SiteSink& sites) { sites.begin_clock(timer.delay, timer.speed); },
   });
 }
 
@@ -139,6 +240,8 @@ const Registry& test_components() {
       star(),
       ribs(),
       pole(),
+      sprout(),
+      timer(),
       space(),
   });
   return registry;

@@ -26,7 +26,7 @@ configure() {
 # Compiles each source alone that includes a library, as CMake would, without what its target waits for. One source of the
 # bindings stands for all.
 compile_users_of_libraries() {
-  local folder=$1 library='(png|turbojpeg|libqhull_r|CLI|nlohmann|boost|zlib)[./]' commands
+  local folder=$1 library='(png|jpeglib|turbojpeg|libqhull_r|CLI|nlohmann|boost|zlib)[./]' commands
   commands=$({
     grep -rlE --include='*.cpp' --exclude-dir=node_modules --exclude='*_test.cpp' \
       "#include (<$library|\"meristem/base/embree\.h\"|\"meristem/shape/ray_trees\.h\")" meristem apps

@@ -11,7 +11,7 @@ import { build } from 'esbuild';
 
 import { notices_of } from './notices.mjs';
 
-const kMostBytes = 500_000;
+const kMaxBytes = 500_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
 
@@ -54,8 +54,8 @@ async function build_page(out) {
   let sum = 0;
   for (const file of (await readdir(out)).sort())
     sum += gzipSync(await readFile(path.join(out, file)), { level: 9 }).length;
-  console.log(`the page weighs ${(sum / 1000).toFixed(0)} kB compressed, of ${kMostBytes / 1000}`);
-  if (sum > kMostBytes) throw new Error('the page is too heavy');
+  console.log(`the page weighs ${(sum / 1000).toFixed(0)} kB compressed, of ${kMaxBytes / 1000}`);
+  if (sum > kMaxBytes) throw new Error('the page is too heavy');
 }
 
 async function build_tests(out) {

@@ -12,7 +12,7 @@ import { build } from 'esbuild';
 
 import { notices_of } from './notices.mjs';
 
-const kMostBytes = 220_000;
+const kMaxBytes = 220_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = {
   bundle: true,
@@ -36,7 +36,7 @@ const filled = {
 };
 let page = await readFile(path.join(here, 'src/viewer/viewer.html'), 'utf8');
 for (const [name, text] of Object.entries(filled)) page = page.replace(`{{${name}}}`, () => text);
-console.log(`the viewer's page weighs ${(page.length / 1000).toFixed(0)} kB, of ${kMostBytes / 1000}`);
-if (page.length > kMostBytes) throw new Error('the page of the viewer is too heavy');
+console.log(`the viewer's page weighs ${(page.length / 1000).toFixed(0)} kB, of ${kMaxBytes / 1000}`);
+if (page.length > kMaxBytes) throw new Error('the page of the viewer is too heavy');
 await mkdir(path.dirname(path.resolve(out)), { recursive: true });
 await writeFile(out, page);

@@ -17,9 +17,12 @@ namespace meristem::studio {
 
 namespace {
 
+constexpr std::size_t kLongestText = 120;  // bytes; keys of maps can be long, and only then a path is longer
+
 std::string quoted(const DocumentPath& path) {
   const std::string text = path.text();
-  return text.empty() ? "the message" : fmt::format("'{}'", visible_text(text));
+  if (text.empty()) return "the message";
+  return text.size() > kLongestText ? in_quotes(text) : fmt::format("'{}'", visible_text(text));
 }
 
 [[noreturn]] void refuse(const DocumentPath& path, const std::string& what) { throw Refusal(quoted(path) + what); }

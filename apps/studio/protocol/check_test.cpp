@@ -46,6 +46,14 @@ TEST(CheckForm, NamesThePlaceInListsAndMaps) {
   EXPECT_EQ(error_of(forms::map(forms::number(), 1), R"({"a": 1, "b": 2})"), "'part' has more than 1 parts");
 }
 
+TEST(CheckForm, ShortensLongKeysInPaths) {
+  const auto error_at = [](const std::string& key) {
+    return error_of(forms::map(forms::number()), "{\"" + key + "\": true}");
+  };
+  EXPECT_EQ(error_at(std::string(100, 'k')), "'part." + std::string(100, 'k') + "' is not a number");
+  EXPECT_EQ(error_at(std::string(100'000, 'k')), "'part." + std::string(35, 'k') + "...' is not a number");
+}
+
 struct Point {
   double at = 0;
   std::optional<std::string> name;

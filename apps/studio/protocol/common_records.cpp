@@ -51,8 +51,8 @@ Form job_name() {
   return forms::choice({"grow", "export", "measure", "sweep", "stills", "grammar", "picture", "question"});
 }
 
-std::vector<Override> overrides_of(const Value::Object& values) {
-  std::vector<Override> overrides;
+std::vector<ValueOverride> overrides_of(const Value::Object& values) {
+  std::vector<ValueOverride> overrides;
   for (const auto& [path, value] : values)
     overrides.push_back({.path = path, .value = value, .name = "the value of " + path});
   return overrides;

@@ -26,7 +26,7 @@ const Record& instance_record();  ///< an instance of a component
 Form errors();                    ///< a list of faults
 
 /// Returns the values of an object by their paths, as values that replace others of the document.
-std::vector<Override> overrides_of(const Value::Object& values);
+std::vector<ValueOverride> overrides_of(const Value::Object& values);
 
 /// The names of jobs in `working` and `failed`.
 Form job_name();

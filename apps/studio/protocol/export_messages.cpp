@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages about exported files and small pictures of the document.
-#include "meristem/shape/detail.h"
+#include "meristem/shape/detail/detail.h"
 #include "protocol/common_records.h"
 #include "protocol/protocol.h"
 #include "protocol/record_table.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heads of scene packets, which meristem/output/packet/scene_packet.h makes.
+// The heads of scene packets, which meristem/export/packet/scene_packet.h makes.
 #include "protocol/common_records.h"
 #include "protocol/protocol.h"
 #include "protocol/record_table.h"

@@ -10,7 +10,7 @@ namespace meristem {
 
 /// Children at equal angles around a heading.
 struct Around {
-  Count number = 6;
+  PartCount number = 6;
   PerChild angle = kPi / 2;  ///< radians between the heading and a child's heading: 0 along it, pi / 2 straight outward
   PerChild size = 1.0;       ///< scale of a child
   PerChild roll = 0.0;       ///< rotation about the heading in addition to the equal steps, radians

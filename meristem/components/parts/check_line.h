@@ -8,8 +8,8 @@
 
 namespace meristem {
 
-/// Reports errors in the points of a pole or wire at the path `line`: fewer than two points, or a repeated point, where
-/// the line has no direction.
+/// Reports errors in the points of a pole or wire, whose list has the path `line`. Fewer than two points are an error
+/// at `line`. Each point that repeats the point before it is an error at `line[k]`.
 void check_line(const std::vector<Vec3>& points, const DocumentPath& line, ParameterReader& reader);
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ const std::vector<std::string>& function_names() {
   return names;
 }
 
-std::optional<Expression> expression_of(const std::optional<Formula>& formula) {
+std::optional<Expression> expression_of(const std::optional<ParameterFormula>& formula) {
   return formula ? std::optional(formula->expression) : std::nullopt;
 }
 

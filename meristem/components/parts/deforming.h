@@ -23,7 +23,7 @@ const ParameterTable& deforming_table();
 
 /// Three functions of a position in the component's own frame. A missing function leaves its coordinate unchanged.
 struct SpaceFunctions {
-  std::optional<Formula> dx, dy, dz;
+  std::optional<ParameterFormula> dx, dy, dz;
 
   bool is_empty() const { return !dx && !dy && !dz; }
 };

@@ -7,14 +7,14 @@ namespace meristem {
 
 const ParameterTable& finish_table() {
   static const ParameterTable table =
-      Table<Finish>("a finish", "What is done to the skeleton after growth, in this order.")
+      Table<FinishOptions>("a finish", "What is done to the skeleton after growth, in this order.")
           .number(
-              "decimate", &Finish::decimate, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
+              "decimate", &FinishOptions::decimate, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
               "Spacing to which the nodes along branches are thinned; 4 keeps about every fourth node, 0 keeps all.")
-          .boolean("relax", &Finish::relax,
+          .boolean("relax", &FinishOptions::relax,
                    "Whether each node moves half way to its parent, which softens the angles of forks.")
           .number(
-              "subdivide", &Finish::subdivide, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
+              "subdivide", &FinishOptions::subdivide, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
               "Spacing of the final nodes along smooth curves through the branches; 0 keeps the nodes as they are.");
   return table;
 }

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// The parameter table of Finish.
+/// The parameter table of FinishOptions.
 const ParameterTable& finish_table();
 
 }  // namespace meristem

@@ -16,7 +16,7 @@ namespace meristem {
 
 /// Individual growth rates of leaves, as formulas of the lived time and of the visible share.
 struct GrassVariety {
-  std::optional<Formula> age, length, width, bend;
+  std::optional<ParameterFormula> age, length, width, bend;
   double step = 0.05;  ///< step of the integration, in the unit of ages; smaller: slower and more exact
   int variants = 12;   ///< number of different growth histories; 0: one per leaf
 
@@ -64,7 +64,7 @@ struct Grassleaf : ComponentBase {
   std::vector<LocalTurn> turns;
   std::optional<GrassForces> forces;
   GrassBlade blade;  ///< roll, fold, twist, waves and quads across
-  std::optional<Formula> f, g, h;
+  std::optional<ParameterFormula> f, g, h;
   GrassSheath sheath;
   int polygons = 16;
   std::optional<double> error;

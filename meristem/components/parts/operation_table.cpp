@@ -113,7 +113,7 @@ void check_cut(const CutParameters& cut, const DocumentPath& path, ParameterRead
                        fmt::format("no lateral shoot has the number {:.6g}", number), "a number of at least 1");
     }
   }
-  if (cut.to_bud && cut.to_bud->toward == Cut::Toward::direction && cut.to_bud->direction == Vec3(0)) {
+  if (cut.to_bud && cut.to_bud->toward == CutOperation::Toward::direction && cut.to_bud->direction == Vec3(0)) {
     const DocumentPath bud(path, "to_bud");
     reader.add_error(DocumentPath(bud, "direction"), "the direction has no length", "a direction such as [1, 0, 0]");
   }
@@ -135,6 +135,8 @@ const ParameterTable& cut_table() {
                   "Body, relative to the root, outside which everything is cut off.")
           .boolean("leader", &CutParameters::leader,
                    "Whether another shoot takes the lead where the leader is cut; false makes an open tree.")
+          .number("stub", &CutParameters::stub, {.min = 0, .max = 1},
+                  "Length of the dead stub that the cut leaves above the bud, in metamers; 0 cuts just above the bud.")
           .one_of({"above", "above_lateral", "to_bud", "outside"})
           .elsewhere({operation_kinds().key})
           .check(check_cut)
@@ -314,7 +316,7 @@ Vec3 level_way(double azimuth) {
   return {static_cast<float>(math::sin(azimuth)), 0, static_cast<float>(-math::cos(azimuth))};
 }
 
-Layers rule_of(const LayersParameters& form, Vec3 right) {
+LayersOperation rule_of(const LayersParameters& form, Vec3 right) {
   return {form.count, form.metamers, right, form.angle, form.angle_last.value_or(form.angle), form.weight};
 }
 
@@ -322,43 +324,44 @@ Layers rule_of(const LayersParameters& form, Vec3 right) {
 struct OperationBuilder {
   const Mat3& axes;
 
-  Cut operator()(const CutParameters& form) const {
-    Cut cut;
+  CutOperation operator()(const CutParameters& form) const {
+    CutOperation cut;
     cut.has_successor = form.leader;
+    cut.stub = form.stub;
     if (form.above) {
-      cut.place = Cut::Place::above;
+      cut.place = CutOperation::Place::above;
       cut.above = *form.above;
     } else if (form.above_lateral) {
-      cut.place = Cut::Place::above_lateral;
+      cut.place = CutOperation::Place::above_lateral;
       cut.lateral = form.above_lateral->expression;
     } else if (form.to_bud) {
-      cut.place = Cut::Place::to_bud;
+      cut.place = CutOperation::Place::to_bud;
       cut.toward = form.to_bud->toward;
       cut.direction = normalized_or(axes * form.to_bud->direction, kUp);
       cut.window = form.to_bud->window;
     } else {
-      cut.place = Cut::Place::outside;
+      cut.place = CutOperation::Place::outside;
       cut.outside = build_crown(*form.outside);
       if (axes != Mat3(1)) cut.outside = std::make_shared<PlacedCrown>(std::move(cut.outside), Frame{axes});
     }
     return cut;
   }
-  Spur operator()(const SpurParameters& form) const { return {form.metamers}; }
-  Limit operator()(const LimitParameters& form) const { return {form.metamers}; }
-  Layers operator()(const LayersParameters& form) const {
+  SpurOperation operator()(const SpurParameters& form) const { return {form.metamers}; }
+  LimitOperation operator()(const LimitParameters& form) const { return {form.metamers}; }
+  LayersOperation operator()(const LayersParameters& form) const {
     return rule_of(form, normalized_or(axes * level_way(form.azimuth), Vec3(1, 0, 0)));
   }
-  Support operator()(const SupportParameters& form) const {
-    Support support{form.line, form.named, form.weight, form.to.value_or(kLastIteration)};
+  TrainingSupport operator()(const SupportParameters& form) const {
+    TrainingSupport support{form.line, form.named, form.weight, form.to.value_or(kLastIteration)};
     for (Vec3& point : support.line) point = axes * point;
     return support;
   }
-  Mark operator()(const MarkParameters& form) const { return {form.chance, form.number}; }
-  Girdle operator()(const GirdleParameters& form) const { return {form.below, form.share, form.iterations}; }
-  Bend operator()(const BendParameters& form) const {
+  MarkOperation operator()(const MarkParameters& form) const { return {form.chance, form.number}; }
+  GirdleOperation operator()(const GirdleParameters& form) const { return {form.below, form.share, form.iterations}; }
+  BendOperation operator()(const BendParameters& form) const {
     return {form.below, form.metamers, form.inclination, form.iterations};
   }
-  Tie operator()(const TieParameters& form) const {
+  TieOperation operator()(const TieParameters& form) const {
     return {form.below, form.anchor_shoots, form.length, form.iterations};
   }
 };
@@ -404,12 +407,12 @@ void prepare_operations(std::vector<AnyOperation>& operations, const std::vector
   }
 }
 
-Operation build_operation(const AnyOperation& form, const Mat3& axes) {
+TreeOperation build_operation(const AnyOperation& form, const Mat3& axes) {
   const OperationParameters& common = common_of(form);
-  Operation operation;
-  operation.when =
-      common.at ? Schedule::at(*common.at)
-                : Schedule{common.from, common.every, common.to.value_or(kLastIteration), std::nullopt, common.once};
+  TreeOperation operation;
+  operation.when = common.at ? OperationSchedule::at(*common.at)
+                             : OperationSchedule{common.from, common.every, common.to.value_or(kLastIteration),
+                                                 std::nullopt, common.once};
   operation.when.in_summer = common.season == OperationParameters::Season::summer;
   if (common.when) operation.when.when = common.when->expression;
   operation.shoots = common.chosen;
@@ -435,8 +438,8 @@ std::vector<SeenLine> seen_lines(const AnyOperation& form, double length) {
   return lines;
 }
 
-const Kinds& operation_kinds() {
-  static const Kinds kinds{
+const ElementKinds& operation_kinds() {
+  static const ElementKinds kinds{
       .element = "an operation",
       .doc = "An operation on a tree as it grows.",
       .key = "do",

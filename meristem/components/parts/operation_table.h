@@ -23,7 +23,7 @@ struct OperationParameters {
   int from = 1;
   int every = 1;
   std::optional<int> to;
-  std::optional<Condition> when;
+  std::optional<SiteCondition> when;
   bool once = false;
   enum class Season { winter, summer };
   Season season = Season::winter;
@@ -35,17 +35,18 @@ struct OperationParameters {
 };
 
 struct BudParameters {
-  Cut::Toward toward = Cut::Toward::down;
+  CutOperation::Toward toward = CutOperation::Toward::down;
   Vec3 direction{0, 1, 0};
   int window = 0;
 };
 
 struct CutParameters : OperationParameters {
   std::optional<int> above;
-  std::optional<Formula> above_lateral;
+  std::optional<ParameterFormula> above_lateral;
   std::optional<BudParameters> to_bud;
   std::optional<CrownParameters> outside;
   bool leader = true;
+  double stub = 0;
 };
 
 struct SpurParameters : OperationParameters {
@@ -108,7 +109,7 @@ using AnyOperation = std::variant<CutParameters, SpurParameters, LimitParameters
                                   MarkParameters, GirdleParameters, BendParameters, TieParameters>;
 
 const ParameterTable& operation_table();  ///< table for every kind of operation
-const Kinds& operation_kinds();           ///< names of the alternatives of AnyOperation
+const ElementKinds& operation_kinds();    ///< names of the alternatives of AnyOperation
 
 /// Returns the common parameters of an operation.
 const OperationParameters& common_of(const AnyOperation& operation);
@@ -122,7 +123,7 @@ void prepare_operations(std::vector<AnyOperation>& operations, const std::vector
                         const DocumentPath& path, ParameterReader& reader);
 
 /// Returns the operation of checked parameters. `axes` are the axes of the component's frame.
-Operation build_operation(const AnyOperation& form, const Mat3& axes);
+TreeOperation build_operation(const AnyOperation& form, const Mat3& axes);
 
 /// A visible pole or wire of an operation.
 struct SeenLine {

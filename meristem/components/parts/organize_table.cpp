@@ -90,23 +90,56 @@ const ParameterTable& resource_table() {
 
 const ParameterTable& shedding_table() {
   static const ParameterTable table =
-      Table<Shedding>("shedding", "Shedding of shoots for lack of light.")
-          .number("below", &Shedding::below, {.min = 0, .max = 1000},
+      Table<BranchShedding>("shedding", "Shedding of shoots for lack of light or resource.")
+          .number("below", &BranchShedding::below, {.min = 0, .max = 1000},
                   "Mean light per metamer below which a shoot is shed; raised, more bare stem; 0 sheds none.")
-          .integer("after", &Shedding::after, {.min = 0, .max = 65535},
+          .number("resource", &BranchShedding::resource, {.min = 0, .max = 1000, .usual = {0, 1}},
+                  "Resource per metamer below which a shoot is shed; raised, shoots that their tree starves are shed "
+                  "sooner; 0 sheds none.")
+          .integer("after", &BranchShedding::after, {.min = 0, .max = 65535},
                    "Number of iterations that a shoot must have lived before it can be shed.")
-          .only_with("below", {"after"});
+          .only_where({{"below"}, {"resource"}}, {"after"});
+  return table;
+}
+
+const ParameterTable& bearing_table() {
+  static const ParameterTable table =
+      Table<FruitBearing>("bearing", "Fruits on dormant lateral buds, and the resource that they take.")
+          .number("cost", &FruitBearing::cost, {.min = 0, .max = 1000, .usual = {0, 2}},
+                  "Resource that each fruit takes from the tree; raised, less growth, and fewer flowers in the next "
+                  "year: the tree bears every other year.")
+          .number(
+              "threshold", &FruitBearing::threshold, {.min = 0, .max = 1000, .usual = {0, 2}},
+              "Resource of a dormant lateral bud from which it flowers in the next iteration; raised, fewer fruits.")
+          .integer("age", &FruitBearing::age, {.min = 0, .max = 65535, .usual = {0, 10}},
+                   "Number of iterations from the growth of a bud until it may flower.");
+  return table;
+}
+
+const ParameterTable& water_shoots_table() {
+  static const ParameterTable table =
+      Table<WaterShoots>("water shoots", "Vigorous shoots from dormant buds below large cuts.")
+          .number("threshold", &WaterShoots::threshold, {.min = 0, .max = 1000, .usual = {0, 5}},
+                  "Resource from which dormant lateral buds below a cut open; lowered, more water shoots.")
+          .integer("cut", &WaterShoots::cut, {.min = 1, .max = 1e9, .usual = {1, 100}},
+                   "Smallest number of metamers that a cut must have removed to be large.")
+          .integer("within", &WaterShoots::within, {.min = 0, .max = 1e6, .usual = {0, 20}},
+                   "Number of metamers below a cut, toward the root, whose buds may become water shoots.")
+          .integer("years", &WaterShoots::years, {.min = 1, .max = 65535, .usual = {1, 10}},
+                   "Number of iterations after a cut in which water shoots may begin.")
+          .number("up", &WaterShoots::up, {.min = 0, .max = 100, .usual = {0, 3}},
+                  "Weight of straight up in the directions of the first shoot that such a bud grows; raised, steeper.");
   return table;
 }
 
 const ParameterTable& sag_table() {
   static const ParameterTable table =
-      Table<Sag>("a sag", "How branches bend under their weight.")
-          .number("stiffness", &Sag::stiffness, {.min = 0.001, .max = 1000, .usual = {0.5, 20}},
+      Table<BranchSag>("a sag", "How branches bend under their weight.")
+          .number("stiffness", &BranchSag::stiffness, {.min = 0.001, .max = 1000, .usual = {0.5, 20}},
                   "Modulus of elasticity in gigapascals, 4 to 12 in green wood; lowered, branches hang more.")
-          .number("density", &Sag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
+          .number("density", &BranchSag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
                   "Density of green wood in kilograms per cubic metre; raised, branches hang more.")
-          .number("leaf_mass", &Sag::leaf_mass, {.min = 0, .max = 100},
+          .number("leaf_mass", &BranchSag::leaf_mass, {.min = 0, .max = 100},
                   "Mass of leaves in kilograms per metamer of the last iteration; raised, shoots hang more.");
   return table;
 }
@@ -195,6 +228,10 @@ const ParameterTable& organize_growth_table() {
           .number("callus", &OrganizeParameters::callus, {.min = 0, .max = 100, .usual = {0, 1}},
                   "Swelling of the wood about cuts, as a share of the cross-sections of the cuts; raised, knuckles and "
                   "heads are thicker.")
+          .number(
+              "closure", &OrganizeParameters::closure, {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.02}},
+              "Distance by which wounds close from their edge per iteration. The column 'wound' then has the radius "
+              "that is still open.")
           .boolean("plan", &OrganizeParameters::plans,
                    "Whether the last iteration's winter operations are only planned: they are recorded, and the tree "
                    "stays as it was before them.")
@@ -207,7 +244,12 @@ const ParameterTable& organize_growth_table() {
                   "Weights of the directions for the stem and for the shoots that lead after it; by default, those of "
                   "'direction'.")
           .members(&OrganizeParameters::phyllotaxis, phyllotaxis_table())
-          .object("shedding", &OrganizeParameters::shedding, shedding_table, "Shedding of shoots for lack of light.")
+          .object("shedding", &OrganizeParameters::shedding, shedding_table,
+                  "Shedding of shoots for lack of light or resource.")
+          .object("bearing", &OrganizeParameters::bearing, bearing_table,
+                  "Fruits on dormant buds, and the resource that they take; by default, trees bear none.")
+          .object("water_shoots", &OrganizeParameters::water_shoots, water_shoots_table,
+                  "Vigorous shoots below large cuts; by default, buds there open as others do.")
           .object("sag", &OrganizeParameters::sag, sag_table,
                   "Lets branches bend under their weight, also into obstacles; by default, they do not bend.");
   return table;

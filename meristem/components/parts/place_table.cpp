@@ -28,7 +28,7 @@ constexpr ColumnRange kMetres{-1e7, 1e7}, kLongitudes{-360, 360}, kLatitudes{-90
 /// Finds the columns with positions and checks that they contain numbers.
 class PlaceColumns {
  public:
-  PlaceColumns(PlaceTable& places, std::string_view text, const Limits& limits)
+  PlaceColumns(PlaceTable& places, std::string_view text, const SizeLimits& limits)
       : places_(places), text_(text), limits_(limits) {}
 
   void find() {
@@ -111,7 +111,7 @@ class PlaceColumns {
 
   PlaceTable& places_;
   std::string_view text_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   std::vector<Diagnostic> errors_;
 };
 

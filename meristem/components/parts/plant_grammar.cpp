@@ -24,7 +24,7 @@ class PlacedLetters {
   explicit PlacedLetters(const Grammar& grammar) : grammar_(grammar), is_found_(grammar.alphabet.size()) {
     note(grammar.axiom);
     for (const RuleSet* rules : rule_sets()) {
-      for (const Rule& rule : rules->rules) note(rule.successor);
+      for (const GrammarRule& rule : rules->rules) note(rule.successor);
     }
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (const RuleSet* rules : rule_sets()) {
@@ -102,7 +102,7 @@ void note_placed(PlantGrammar& plant, std::string_view text) {
 PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
                                 std::vector<Diagnostic>& warnings) {
   const auto included = [&](const std::string& name) {
-    return reader.included_text(path, name, Limits().document_bytes);
+    return reader.included_text(path, name, SizeLimits().document_bytes);
   };
   PlantGrammar plant;
   plant.text = text;

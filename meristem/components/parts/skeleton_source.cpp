@@ -26,7 +26,7 @@ bool begins_as_mtg(std::string_view text) {
   return false;
 }
 
-SkeletonFile load(const std::string& path, const Limits& limits) {
+SkeletonFile load(const std::string& path, const SizeLimits& limits) {
   const std::string text = read_file(path, limits.file_bytes);
   SkeletonFile file{.path = path, .mtg = {}, .table = {}};
   if (path.ends_with(".mtg") || begins_as_mtg(text)) {
@@ -42,7 +42,7 @@ void turn_back(Skeleton& skeleton) {
   for (Vec3& position : skeleton.position) position = Vec3(position.x, -position.z, position.y);
 }
 
-Skeleton skeleton_of_mtg(const SkeletonSource& plant, const Limits& limits) {
+Skeleton skeleton_of_mtg(const SkeletonSource& plant, const SizeLimits& limits) {
   const MtgFeatures& features = plant.features;
   const MtgGeometry geometry{.position = {features.x, features.y, features.z},
                              .diameter = features.diameter,

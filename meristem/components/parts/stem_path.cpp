@@ -189,7 +189,7 @@ class StemPathBuilder {
   }
 
   /// Turns toward a pull, or away from it if the strength is negative.
-  void follow(const Pulling& pulling, double strength) {
+  void follow(const FieldPull& pulling, double strength) {
     const Vec3 target = strength > 0 ? pulling.toward : -pulling.toward;
     const double angle = math::acos(glm::dot(heading_, target));
     const Vec3 axis = normalized_or(glm::cross(heading_, target), right_);

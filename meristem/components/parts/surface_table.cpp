@@ -49,41 +49,42 @@ const std::vector<std::string>& names_off_stems() {
 
 const ParameterTable& surface_table() {
   static const ParameterTable table =
-      Table<Surface>("a surface", "How a skeleton becomes a surface.")
-          .choice("style", &Surface::style, {"tubes", "blend"},
+      Table<SurfaceOptions>("a surface", "How a skeleton becomes a surface.")
+          .choice("style", &SurfaceOptions::style, {"tubes", "blend"},
                   "Kind of surface: 'tubes' along the axes, or 'blend', one closed body for low-poly plants.")
-          .choice("shading", &Surface::shading, {"smooth", "flat"},
+          .choice("shading", &SurfaceOptions::shading, {"smooth", "flat"},
                   "Shading: 'smooth' hides the edges between triangles, 'flat' shows each triangle as a plane.")
-          .object("crown", &Surface::crown, crown_body_table, "A closed body around the ends of the branches.")
-          .integer("resolution", &Surface::resolution, {.min = 10, .max = 1024, .fixed = true},
+          .object("crown", &SurfaceOptions::crown, crown_body_table, "A closed body around the ends of the branches.")
+          .integer("resolution", &SurfaceOptions::resolution, {.min = 10, .max = 1024, .fixed = true},
                    "Number of cells along the longest side of a blended surface; doubled, finer, with four times as "
                    "many triangles.")
-          .number("blend", &Surface::blend, {.min = 0, .max = 4, .usual = {0, 2}, .fixed = true},
+          .number("blend", &SurfaceOptions::blend, {.min = 0, .max = 4, .usual = {0, 2}, .fixed = true},
                   "Distance over which a branch of a blended surface grows together with its parent, in radii of the "
                   "branch; 0 leaves a crease.")
-          .boolean("thicken", &Surface::thicken,
+          .boolean("thicken", &SurfaceOptions::thicken,
                    "Whether twigs of a blended surface that are too thin for its cells are thickened; otherwise they "
                    "vanish.")
-          .integer("triangles", &Surface::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
+          .integer("triangles", &SurfaceOptions::triangles,
+                   {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
                    "Number of triangles to which a blended surface is simplified, as far as twigs and holes allow; by "
                    "default, it is not simplified.")
           .integer(
-              "sides", &Surface::sides, {.min = 3, .max = 64, .usual = {3, 32}, .fixed = true},
+              "sides", &SurfaceOptions::sides, {.min = 3, .max = 64, .usual = {3, 32}, .fixed = true},
               "Number of sides of the thickest tube; thinner tubes have fewer. Raised, rounder, with more triangles.")
           .number(
-              "error", &Surface::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
+              "error", &SurfaceOptions::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
               "Tolerance of a tube along its skeleton, in radii of the tube; raised, fewer rings along straight stems.")
-          .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tubes end at tips.")
-          .number("uv_scale", &Surface::uv_scale,
+          .choice("cap", &SurfaceOptions::cap, {"pointed", "round", "flat"}, "How tubes end at tips.")
+          .number("uv_scale", &SurfaceOptions::uv_scale,
                   {.unit = Unit::metre, .min = 0.001, .max = 100, .usual = {0.1, 5}, .fixed = true},
                   "Size of the bark that one tile of the texture covers; raised, larger features.")
-          .number("smooth", &Surface::smooth, {.min = 0, .max = 20, .usual = {0, 10}, .fixed = true},
+          .number("smooth", &SurfaceOptions::smooth, {.min = 0, .max = 20, .usual = {0, 10}, .fixed = true},
                   "Distance along a stem over which steps of its radius at forks are smoothed, in radii to either "
                   "side; 0 keeps the steps.")
-          .number("collar", &Surface::collar, {.min = 0, .max = 3, .usual = {0, 2}, .fixed = true},
+          .number("collar", &SurfaceOptions::collar, {.min = 0, .max = 3, .usual = {0, 2}, .fixed = true},
                   "Size of the collar with which a branch grows out of its parent, in radii of the branch; 0 leaves a "
                   "crease.")
-          .number("flare", &Surface::flare, {.min = 0, .max = 5, .usual = {0, 2}, .fixed = true},
+          .number("flare", &SurfaceOptions::flare, {.min = 0, .max = 5, .usual = {0, 2}, .fixed = true},
                   "Widening of the stem at the ground, as a share of its radius; 1 doubles it.")
           .only_where({{"style", {"tubes"}}}, {"sides", "error", "cap", "uv_scale", "smooth", "collar"})
           .only_where({{"style", {"blend"}}}, {"resolution", "blend", "thicken", "triangles"})

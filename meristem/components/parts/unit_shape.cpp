@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/parts/unit_shape.h"
 
+#include <algorithm>
+
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
@@ -19,6 +21,22 @@ Mesh make_unit_shape(UnitShape shape, int segments) {
       return make_torus(0.5 * (1 - kTorusTube), 0.5 * kTorusTube, segments);
   }
   return {};
+}
+
+double unit_shape_triangles(UnitShape shape, int segments) {
+  switch (shape) {
+    case UnitShape::box:
+      return 12;
+    case UnitShape::sphere:
+      return 2.0 * segments * (std::max(2, segments / 2) - 1);
+    case UnitShape::cylinder:
+      return 4.0 * segments;
+    case UnitShape::cone:
+      return 2.0 * segments;
+    case UnitShape::torus:
+      return 2.0 * segments * std::max(3, segments / 2);
+  }
+  return 0;
 }
 
 Frame unit_shape_frame(UnitShape shape, Vec3 size) {

@@ -15,6 +15,9 @@ inline constexpr float kTorusTube = 0.25F;
 /// Returns the shape with width 1 and `segments` corners around.
 Mesh make_unit_shape(UnitShape shape, int segments);
 
+/// Returns the number of triangles of make_unit_shape.
+double unit_shape_triangles(UnitShape shape, int segments);
+
 /// Returns the frame that places the unit shape on the origin with the width, height and depth of `size`.
 Frame unit_shape_frame(UnitShape shape, Vec3 size);
 

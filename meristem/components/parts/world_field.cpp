@@ -85,7 +85,7 @@ bool vanishes(Vec3 vector) { return !(glm::dot(vector, vector) > 1e-20F); }
 void check_field(const WorldField& field, const DocumentPath& path, ParameterReader& reader) {
   if (field.formula) {
     const DocumentPath at(path, "formula");
-    const auto check_formula = [&](const std::optional<Formula>& formula, const char* name) {
+    const auto check_formula = [&](const std::optional<ParameterFormula>& formula, const char* name) {
       if (!formula || !formula->expression.is_random()) return;
       reader.add_error(DocumentPath(at, name), "a field is the same whenever it is asked, and draws nothing",
                        "noise(x, y, z) in place of random functions");
@@ -136,9 +136,9 @@ FieldPointer local_field(const WorldField& form, const FieldPlace& place) {
     const WindParameters& wind = *form.wind;
     return std::make_shared<WindField>(
         unit_of(wind.direction, place),
-        Gusts{.share = wind.gusts, .size = wind.size, .drift = wind.drift, .key = place.key});
+        WindGusts{.share = wind.gusts, .size = wind.size, .drift = wind.drift, .key = place.key});
   }
-  const auto expression = [](const std::optional<Formula>& formula) {
+  const auto expression = [](const std::optional<ParameterFormula>& formula) {
     return formula ? formula->expression : Expression();
   };
   return std::make_shared<ExpressionField>(

@@ -37,7 +37,7 @@ struct WindParameters {
 
 /// A missing component is 0.
 struct FormulaField {
-  std::optional<Formula> x, y, z;
+  std::optional<ParameterFormula> x, y, z;
 };
 
 /// Exactly one of the forms from `formula` to `wind` must be set.

@@ -164,7 +164,7 @@ LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const 
       if (own->find(tried) == nullptr && brought->find(tried) == nullptr) free = tried;
     }
     const std::string name = other->first;
-    const Patch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
+    const TextPatch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
     part.apply(patch, context.reading.progress);
   }
 }
@@ -218,7 +218,7 @@ struct EditMaker {
   void operator()(const MoveValue& edit) const { move_value(document, whole_path(tree(), edit.path), edit.index); }
 
  private:
-  Patch renamed(const RenameValue& edit) const {
+  TextPatch renamed(const RenameValue& edit) const {
     const std::string path = whole_path(tree(), edit.path);
     if (const std::string id = named_in(tree(), path, "components"); !id.empty()) {
       return rename_component(tree(), id, edit.name, context.registry,
@@ -233,7 +233,7 @@ struct EditMaker {
 
 }  // namespace
 
-void make_edit(const Edit& edit, TreeEdit& document, const EditContext& context) {
+void make_edit(const SessionEdit& edit, TreeEdit& document, const EditContext& context) {
   std::visit(EditMaker{document, context}, edit);
 }
 

@@ -19,6 +19,6 @@ struct EditContext {
 };
 
 /// Makes an edit. Throws an InputError if the edit is impossible.
-void make_edit(const Edit& edit, TreeEdit& document, const EditContext& context);
+void make_edit(const SessionEdit& edit, TreeEdit& document, const EditContext& context);
 
 }  // namespace meristem

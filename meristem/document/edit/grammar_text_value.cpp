@@ -78,9 +78,9 @@ bool GrammarInDocument::places(const std::string& symbol) const {
 }
 
 /// Converts splices of the grammar's text into splices of the document. A splice must not cross the end of a line.
-Patch GrammarInDocument::in_document(const Patch& patch) const {
-  Patch made;
-  for (const Splice& splice : patch) {
+TextPatch GrammarInDocument::in_document(const TextPatch& patch) const {
+  TextPatch made;
+  for (const TextSplice& splice : patch) {
     const auto after = std::upper_bound(lines_.begin(), lines_.end(), splice.offset,
                                         [](std::size_t offset, const Line& line) { return offset < line.begin; });
     const Line& line = *std::prev(after);
@@ -91,14 +91,14 @@ Patch GrammarInDocument::in_document(const Patch& patch) const {
 }
 
 /// Adds the new name to #symbols or removes the old one, if one of them has a single character.
-void GrammarInDocument::declare(const std::string& symbol, const std::string& name, Patch& patch) const {
+void GrammarInDocument::declare(const std::string& symbol, const std::string& name, TextPatch& patch) const {
   const auto stands_in_declaration = [&](const GrammarWord& word) {
     const std::size_t line = word.offset == 0 ? 0 : text_.rfind('\n', word.offset - 1) + 1;
     const std::size_t begin = text_.find_first_not_of(" \t", line);
     return std::string_view(text_).substr(begin).starts_with(kDeclaration);
   };
   if (name.size() == 1) {
-    for (Splice& splice : patch) {
+    for (TextSplice& splice : patch) {
       if (!stands_in_declaration({splice.offset, symbol})) continue;
       splice.replacement.clear();
       // A declaration without names would be a fault.
@@ -114,9 +114,9 @@ void GrammarInDocument::declare(const std::string& symbol, const std::string& na
   }
 }
 
-Patch GrammarInDocument::with_symbol(const std::string& symbol, const std::string& name,
-                                     const std::string& path) const {
-  Patch patch;
+TextPatch GrammarInDocument::with_symbol(const std::string& symbol, const std::string& name,
+                                         const std::string& path) const {
+  TextPatch patch;
   for (const GrammarWord& word : words_.symbols) {
     if (word.text != symbol) continue;
     const std::size_t end = word.offset + symbol.size();
@@ -144,23 +144,24 @@ Patch GrammarInDocument::with_symbol(const std::string& symbol, const std::strin
   }
   if (has_symbol(name) || found != expected) refuse_symbol(path, name);
 
-  Patch made = in_document(patch);
+  TextPatch made = in_document(patch);
   if (!declares) return made;
   const Value line(declaration);
-  Patch first;
+  TextPatch first;
   if (value_.value->list() != nullptr) {
     first = insert_part(tree_, value_, 0, {.value = &line});
   } else {
     first = {{tree_.at(value_).begin + 1, 0, declaration + "\\n"}};
   }
   made.insert(made.begin(), first.begin(), first.end());
-  std::stable_sort(made.begin(), made.end(), [](const Splice& a, const Splice& b) { return a.offset < b.offset; });
+  std::stable_sort(made.begin(), made.end(),
+                   [](const TextSplice& a, const TextSplice& b) { return a.offset < b.offset; });
   return made;
 }
 
-Patch GrammarInDocument::with_name(const std::string& constant, const std::string& name,
-                                   const std::string& path) const {
-  Patch patch;
+TextPatch GrammarInDocument::with_name(const std::string& constant, const std::string& name,
+                                       const std::string& path) const {
+  TextPatch patch;
   for (const GrammarWord& word : words_.names) {
     if (word.text == constant) patch.push_back({word.offset, constant.size(), name});
     if (word.text == name) refuse_symbol(path, name);

@@ -23,9 +23,9 @@ class GrammarInDocument {
 
   /// Returns a patch that renames a symbol, including its declaration. A new name of several characters is declared.
   /// Throws an InputError with `path` if the grammar would then have another meaning.
-  Patch with_symbol(const std::string& symbol, const std::string& name, const std::string& path) const;
+  TextPatch with_symbol(const std::string& symbol, const std::string& name, const std::string& path) const;
   /// Returns a patch that renames a constant, with the same checks.
-  Patch with_name(const std::string& constant, const std::string& name, const std::string& path) const;
+  TextPatch with_name(const std::string& constant, const std::string& name, const std::string& path) const;
 
  private:
   struct Line {
@@ -33,8 +33,8 @@ class GrammarInDocument {
     std::vector<std::size_t> places;  // position of each of its bytes in the document
   };
 
-  Patch in_document(const Patch& patch) const;
-  void declare(const std::string& symbol, const std::string& name, Patch& patch) const;
+  TextPatch in_document(const TextPatch& patch) const;
+  void declare(const std::string& symbol, const std::string& name, TextPatch& patch) const;
 
   const LocatedTree& tree_;
   LocatedValue value_;

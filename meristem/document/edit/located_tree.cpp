@@ -218,12 +218,12 @@ LocatedTree::Touched LocatedTree::innermost(std::size_t begin, std::size_t end) 
 
 /// Returns the patch in pieces, each for one part of a list or object. Returns nothing if a splice is not within the
 /// brackets of a part.
-std::vector<Patch> LocatedTree::split(const Touched& touched, const Patch& patch) const {
-  std::vector<Patch> groups;
+std::vector<TextPatch> LocatedTree::split(const Touched& touched, const TextPatch& patch) const {
+  std::vector<TextPatch> groups;
   if (touched.value == nullptr || patch.size() < 2) return groups;
   const std::vector<std::uint32_t>& parts = nodes_[touched.node].parts;
   std::size_t last = parts.size();
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     const auto behind = std::partition_point(parts.begin(), parts.end(),
                                              [&](std::uint32_t part) { return node(part).begin < splice.offset; });
     if (behind == parts.begin()) return {};
@@ -239,7 +239,7 @@ std::vector<Patch> LocatedTree::split(const Touched& touched, const Patch& patch
 }
 
 /// Reads the parts of a list or object again that a patch changes or adds.
-LocatedTree::PartRange LocatedTree::read_parts(const Touched& touched, const Patch& patch,
+LocatedTree::PartRange LocatedTree::read_parts(const Touched& touched, const TextPatch& patch,
                                                const Progress* progress) const {
   const std::vector<std::uint32_t>& parts = nodes_[touched.node].parts;
   const std::size_t first = patch.front().offset;
@@ -255,12 +255,12 @@ LocatedTree::PartRange LocatedTree::read_parts(const Touched& touched, const Pat
   const bool has_next = range.end < parts.size();
   const std::size_t begin = range.begin > 0 ? node(parts[range.begin - 1]).comma + 1 : node(touched.node).begin + 1;
   const std::size_t end = has_next ? node(parts[range.end]).first() : node(touched.node).end - 1;
-  Patch within = patch;
-  for (Splice& splice : within) splice.offset -= begin;
+  TextPatch within = patch;
+  for (TextSplice& splice : within) splice.offset -= begin;
   std::string text(is_list ? "[" : "{");
   text += apply_patch(std::string_view(text_).substr(begin, end - begin), within);
   text += is_list ? (has_next ? kLastElement : "]") : (has_next ? kLastMember : "}");
-  Limits limits;
+  SizeLimits limits;
   limits.nesting -= std::min(limits.nesting - 1, static_cast<std::uint64_t>(touched.depth));
   range.values = parse_json(text, limits, progress);
   range.bytes = text.size();
@@ -297,18 +297,18 @@ void LocatedTree::note_names(const Touched& touched, const PartRange& range) {
   }
 }
 
-void LocatedTree::apply(const Patch& patch, const Progress* progress) {
+void LocatedTree::apply(const TextPatch& patch, const Progress* progress) {
   if (patch.empty()) return;
   if (!is_sound(patch, text_.size())) throw std::invalid_argument("the patch does not fit the text");
   const Touched touched = innermost(patch.front().offset, patch.back().offset + patch.back().length);
-  if (const std::vector<Patch> groups = split(touched, patch); groups.size() > 1) {
+  if (const std::vector<TextPatch> groups = split(touched, patch); groups.size() > 1) {
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) apply(*group, progress);
     return;
   }
   std::size_t size = text_.size();
-  for (const Splice& splice : patch) size += splice.replacement.size() - splice.length;
+  for (const TextSplice& splice : patch) size += splice.replacement.size() - splice.length;
   std::optional<PartRange> range;
-  if (touched.value != nullptr && size <= Limits().document_bytes) {
+  if (touched.value != nullptr && size <= SizeLimits().document_bytes) {
     try {
       range = read_parts(touched, patch, progress);
     } catch (const InputError&) {

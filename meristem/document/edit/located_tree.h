@@ -54,7 +54,7 @@ class LocatedTree {
   /// of the innermost list or object that the patch touches, so the time is nearly independent of the size of the
   /// text. Invalidates all located values. Throws what parse_json throws, and std::invalid_argument if the patch is not
   /// sound; the tree must not be used then.
-  void apply(const Patch& patch, const Progress* progress = nullptr);
+  void apply(const TextPatch& patch, const Progress* progress = nullptr);
 
   /// Returns the number of bytes that were parsed so far. Shows the work of edits.
   std::size_t parsed_bytes() const { return parsed_bytes_; }
@@ -82,8 +82,8 @@ class LocatedTree {
   const TextNode& node(std::uint32_t index) const;
   void move_all() const;
   Touched innermost(std::size_t begin, std::size_t end);
-  std::vector<Patch> split(const Touched& touched, const Patch& patch) const;
-  PartRange read_parts(const Touched& touched, const Patch& patch, const Progress* progress) const;
+  std::vector<TextPatch> split(const Touched& touched, const TextPatch& patch) const;
+  PartRange read_parts(const Touched& touched, const TextPatch& patch, const Progress* progress) const;
   void note_names(const Touched& touched, const PartRange& range);
 
   std::string text_;

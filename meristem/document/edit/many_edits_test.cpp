@@ -47,7 +47,7 @@ std::string leaves(std::size_t count, std::size_t links, Draws& draw) {
   return text + (draw.below(2) ? "\n]}\n" : "]}");
 }
 
-Edit drawn_edit(Draws& draw, std::size_t count, int number) {
+SessionEdit drawn_edit(Draws& draw, std::size_t count, int number) {
   const std::string component = fmt::format("c{}", draw.below(count + 2));
   const std::size_t place = draw.below(3);
   switch (draw.below(11)) {
@@ -95,9 +95,9 @@ TEST(ManyEdits, EqualTheSameEditsOneAfterAnother) {
     const std::size_t count = draw.below(2) ? 5 : 40;
     const std::string text = leaves(count, 6, draw);
     Session alone(text, "d.json", builtin_components());
-    std::vector<Edit> edits;
+    std::vector<SessionEdit> edits;
     for (int number = 0; number < 12; ++number) {
-      Edit edit = drawn_edit(draw, count, number);
+      SessionEdit edit = drawn_edit(draw, count, number);
       try {
         alone.edit({edit});
         edits.push_back(std::move(edit));
@@ -140,11 +140,11 @@ std::string tidy_leaves(std::size_t count) {
 }
 
 /// Returns the bytes that edits parse after the first parse of the text, per edit.
-double parsed_per_edit(const std::string& text, const std::vector<Edit>& edits, std::size_t parts) {
+double parsed_per_edit(const std::string& text, const std::vector<SessionEdit>& edits, std::size_t parts) {
   LocatedTree tree(text);
   TreeEdit document(&tree);
   const EditContext context{"d.json", builtin_components(), nullptr, {}};
-  for (const Edit& edit : edits) make_edit(edit, document, context);
+  for (const SessionEdit& edit : edits) make_edit(edit, document, context);
   return static_cast<double>(document.tree().parsed_bytes() - text.size()) / static_cast<double>(parts);
 }
 
@@ -152,7 +152,7 @@ TEST(ManyEdits, ParseOnlyTheirOwnParts) {
   const auto expect_little = [](const char* what, double bytes) { EXPECT_LT(bytes, 600) << what; };
   for (const std::size_t count : {100U, 600U}) {
     const std::string text = tidy_leaves(count);
-    std::vector<Edit> sets, removals, notes, insertions, moves;
+    std::vector<SessionEdit> sets, removals, notes, insertions, moves;
     for (std::size_t k = 0; k < count; ++k) {
       const std::string path = fmt::format("components.c{}", k);
       sets.push_back(SetValue{path + ".length", 0.2});

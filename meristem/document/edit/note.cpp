@@ -99,7 +99,7 @@ std::string as_comments(std::string_view note, std::string_view indent, std::str
 }
 
 /// Removes a note with its lines, or with the spaces before it.
-Patch without_note(std::string_view text, const NotePlace& place, std::size_t member) {
+TextPatch without_note(std::string_view text, const NotePlace& place, std::size_t member) {
   std::size_t begin = place.comments.front().begin;
   if (place.is_above) {
     begin = line_begin(text, begin);
@@ -111,7 +111,7 @@ Patch without_note(std::string_view text, const NotePlace& place, std::size_t me
 
 /// Adds a note above the member that begins at byte `member`. A member that shares its line with others gets a line of
 /// its own.
-Patch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
+TextPatch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
   const std::string end(line_end_of(text));
   if (begins_line(text, member)) {
     const std::string indent(indent_at(text, member));
@@ -152,14 +152,14 @@ std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedT
   return notes;
 }
 
-Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view note) {
+TextPatch set_note(const LocatedTree& tree, std::string_view path, std::string_view note) {
   const PathTarget target = find_path(tree, path);
   const std::string_view text = tree.text();
   const std::size_t member = tree.at(target.last()).first();
   const std::size_t container = tree.at(target.container()).begin;
   const std::string_view said = trimmed(note);
   const std::optional<NotePlace> place = find_note(tree, target.container(), target.places.back());
-  if (!place) return said.empty() ? Patch() : with_note_above(text, container, member, said);
+  if (!place) return said.empty() ? TextPatch() : with_note_above(text, container, member, said);
   if (said == text_of(tree, *place)) return {};
   if (said.empty()) return without_note(text, *place, member);
   const std::size_t begin = place->comments.front().begin;
@@ -167,7 +167,7 @@ Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view 
   if (place->is_above) return {{begin, length, as_comments(said, indent_at(text, begin), line_end_of(text))}};
   if (said.find('\n') == std::string_view::npos) return {{begin, length, as_comments(said, "", "")}};
   // A note with several lines stands above the member.
-  const Patch without = without_note(text, *place, member);
+  const TextPatch without = without_note(text, *place, member);
   return joined_patches(without, with_note_above(apply_patch(text, without), container, member, said));
 }
 

@@ -36,6 +36,6 @@ std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedT
 
 /// Sets the note on the member at `path`. Replaces an existing note in place; a new one stands above the member. An
 /// empty note removes it. Throws an InputError for paths that lead nowhere.
-Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view note);
+TextPatch set_note(const LocatedTree& tree, std::string_view path, std::string_view note);
 
 }  // namespace meristem

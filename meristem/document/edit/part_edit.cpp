@@ -48,7 +48,7 @@ class Container {
     return removed;
   }
 
-  Patch insert(std::size_t index, const NewPart& part) const {
+  TextPatch insert(std::size_t index, const NewPart& part) const {
     if (count_ == 0) return insert_alone(part);
     return index == count_ ? append(part) : insert_before(index, part);
   }
@@ -83,7 +83,7 @@ class Container {
   }
 
   /// Removes the last part and the comma before it, if it shares its lines with others.
-  void cut_last(std::size_t index, std::size_t cut_end, Patch& patch) const {
+  void cut_last(std::size_t index, std::size_t cut_end, TextPatch& patch) const {
     const std::size_t first = part(index).first();
     const std::size_t separator = index > 0 ? part(index - 1).comma : node_.begin;
     const std::vector<Comment> comments = comments_between(text_, separator + 1, first);
@@ -100,7 +100,7 @@ class Container {
   }
 
   /// Removes a range with the spaces up to the next part in the line, or the spaces before it at the end of a line.
-  void cut_with_blanks(std::size_t begin, std::size_t end, Patch& patch) const {
+  void cut_with_blanks(std::size_t begin, std::size_t end, TextPatch& patch) const {
     const auto is_blank = [&](std::size_t at) { return text_[at] == ' ' || text_[at] == '\t'; };
     if (ends_line(text_, end)) {
       while (is_blank(begin - 1)) --begin;
@@ -145,7 +145,7 @@ class Container {
   std::string deeper() const { return std::string(indent_at(text_, node_.begin)) + std::string(indent_unit_of(text_)); }
 
   /// Inserts a part into an empty container. Components and other objects of the upper levels get lines of their own.
-  Patch insert_alone(const NewPart& part) const {
+  TextPatch insert_alone(const NewPart& part) const {
     const std::size_t close = node_.end - 1;
     const bool has_comments = !is_bare(close, close);
     const bool is_upper = container_.node == 0 || indent_at(text_, node_.begin).size() <= indent_unit_of(text_).size();
@@ -168,7 +168,7 @@ class Container {
     return {{close, 0, std::string(blank) + written(part, indent_at(text_, node_.begin), column, "") + tail}};
   }
 
-  Patch append(const NewPart& part) const {
+  TextPatch append(const NewPart& part) const {
     const TextNode& last = this->part(count_ - 1);
     const std::size_t behind = behind_comments(text_, last.end);
     const std::vector<Comment> comments = comments_between(text_, last.end, behind);
@@ -186,7 +186,7 @@ class Container {
     return {{last.end, 0, ","}, {behind, 0, made}};
   }
 
-  Patch insert_before(std::size_t index, const NewPart& part) const {
+  TextPatch insert_before(std::size_t index, const NewPart& part) const {
     const TextNode& next = this->part(index);
     if (begins_line(text_, next.first())) {
       // The part is inserted after the previous line, so that comments above the next part stay with it.
@@ -225,7 +225,7 @@ RemovedPart remove_part(const LocatedTree& tree, LocatedValue container, std::si
   return Container(tree, container).remove(index);
 }
 
-Patch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part) {
+TextPatch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part) {
   return Container(tree, container).insert(index, part);
 }
 

@@ -18,7 +18,7 @@ struct WrittenPart {
 };
 
 struct RemovedPart {
-  Patch patch;
+  TextPatch patch;
   WrittenPart written;
 };
 
@@ -32,6 +32,6 @@ struct NewPart {
 };
 
 /// Inserts a part at `index`, which is at most the number of parts.
-Patch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part);
+TextPatch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part);
 
 }  // namespace meristem

@@ -22,10 +22,10 @@ struct Piece {
 constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max() / 2;
 
 /// Returns the pieces after a patch. The last piece has no end, so the length of the text is not needed.
-std::vector<Piece> pieces_after(const Patch& patch) {
+std::vector<Piece> pieces_after(const TextPatch& patch) {
   std::vector<Piece> pieces;
   std::size_t at = 0;
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     if (splice.offset > at) pieces.push_back({.begin = at, .length = splice.offset - at});
     if (!splice.replacement.empty()) {
       pieces.push_back(
@@ -68,10 +68,10 @@ class PieceReader {
 };
 
 /// Returns the patch that makes these pieces of a text.
-Patch patch_of(const std::vector<Piece>& pieces) {
-  Patch patch;
+TextPatch patch_of(const std::vector<Piece>& pieces) {
+  TextPatch patch;
   std::size_t at = 0;  // position in the text before
-  Splice open;
+  TextSplice open;
   for (const Piece& piece : pieces) {
     if (piece.is_added) {
       open.replacement += piece.added;
@@ -88,20 +88,20 @@ Patch patch_of(const std::vector<Piece>& pieces) {
 
 }  // namespace
 
-bool is_sound(const Patch& patch, std::size_t text_size) {
+bool is_sound(const TextPatch& patch, std::size_t text_size) {
   std::size_t end = 0;
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     if (splice.offset < end || splice.offset > text_size || splice.length > text_size - splice.offset) return false;
     end = splice.offset + splice.length;
   }
   return true;
 }
 
-std::string apply_patch(std::string_view text, const Patch& patch) {
+std::string apply_patch(std::string_view text, const TextPatch& patch) {
   if (!is_sound(patch, text.size())) throw std::invalid_argument("the patch does not fit the text");
   std::string made;
   std::size_t at = 0;
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     made += text.substr(at, splice.offset - at);
     made += splice.replacement;
     at = splice.offset + splice.length;
@@ -110,12 +110,12 @@ std::string apply_patch(std::string_view text, const Patch& patch) {
   return made;
 }
 
-Patch inverse_patch(std::string_view text, const Patch& patch) {
+TextPatch inverse_patch(std::string_view text, const TextPatch& patch) {
   if (!is_sound(patch, text.size())) throw std::invalid_argument("the patch does not fit the text");
-  Patch inverse;
+  TextPatch inverse;
   std::size_t added = 0;    // bytes so far
   std::size_t removed = 0;  // bytes so far
-  for (const Splice& splice : patch) {
+  for (const TextSplice& splice : patch) {
     inverse.push_back({.offset = splice.offset + added - removed,
                        .length = splice.replacement.size(),
                        .replacement = std::string(text.substr(splice.offset, splice.length))});
@@ -125,12 +125,12 @@ Patch inverse_patch(std::string_view text, const Patch& patch) {
   return inverse;
 }
 
-Patch joined_patches(const Patch& first, const Patch& second) {
+TextPatch joined_patches(const TextPatch& first, const TextPatch& second) {
   if (first.empty() || second.empty()) return first.empty() ? second : first;
   PieceReader between(pieces_after(first));
   std::vector<Piece> made;
   std::size_t at = 0;  // position in the text between the patches
-  for (const Splice& splice : second) {
+  for (const TextSplice& splice : second) {
     for (const Piece& piece : between.take(splice.offset - at)) made.push_back(piece);
     between.take(splice.length);
     made.push_back({.begin = 0, .length = splice.replacement.size(), .added = splice.replacement, .is_added = true});
@@ -140,7 +140,7 @@ Patch joined_patches(const Patch& first, const Patch& second) {
   return patch_of(made);
 }
 
-void PatchJoiner::add(Patch patch) {
+void PatchJoiner::add(TextPatch patch) {
   if (patch.empty()) return;
   runs_.push_back({std::move(patch), 1});
   while (runs_.size() > 1 && runs_[runs_.size() - 2].count <= runs_.back().count) {
@@ -151,8 +151,8 @@ void PatchJoiner::add(Patch patch) {
   }
 }
 
-Patch PatchJoiner::joined() const {
-  Patch joined;
+TextPatch PatchJoiner::joined() const {
+  TextPatch joined;
   for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) joined = joined_patches(run->patch, joined);
   return joined;
 }

@@ -7,19 +7,19 @@
 
 namespace meristem::patch_test {
 
-const Patch kPatch = {{1, 2, "XYZ"}, {4, 0, "-"}, {5, 1, ""}};
+const TextPatch kPatch = {{1, 2, "XYZ"}, {4, 0, "-"}, {5, 1, ""}};
 
 TEST(Patch, ReplacesItsPieces) { EXPECT_EQ(apply_patch("abcdefg", kPatch), "aXYZd-eg"); }
 
 TEST(Patch, TakenBackGivesTheFirstBytes) {
-  const Patch inverse = inverse_patch("abcdefg", kPatch);
+  const TextPatch inverse = inverse_patch("abcdefg", kPatch);
   EXPECT_EQ(apply_patch("aXYZd-eg", inverse), "abcdefg");
   EXPECT_EQ(inverse_patch("aXYZd-eg", inverse), kPatch);
 }
 
 TEST(Patch, JoinedWithTheNextDoesBoth) {
-  const Patch second = {{0, 3, "a"}, {5, 2, ""}, {8, 0, "!"}};
-  const Patch both = joined_patches(kPatch, second);
+  const TextPatch second = {{0, 3, "a"}, {5, 2, ""}, {8, 0, "!"}};
+  const TextPatch both = joined_patches(kPatch, second);
   EXPECT_TRUE(is_sound(both, 7));
   EXPECT_EQ(apply_patch("abcdefg", both), apply_patch(apply_patch("abcdefg", kPatch), second));
   EXPECT_EQ(joined_patches({}, second), second);
@@ -27,7 +27,7 @@ TEST(Patch, JoinedWithTheNextDoesBoth) {
 }
 
 TEST(Patch, JoinedWithItsInverseIsAsLongAsWhatItTouched) {
-  const Patch both = joined_patches(kPatch, inverse_patch("abcdefg", kPatch));
+  const TextPatch both = joined_patches(kPatch, inverse_patch("abcdefg", kPatch));
   EXPECT_EQ(apply_patch("abcdefg", both), "abcdefg");
 }
 

@@ -52,13 +52,13 @@ void for_each_grammar(const LocatedTree& tree, const Registry& registry, Take ta
   }
 }
 
-Splice text_over(const LocatedTree& tree, LocatedValue value, const std::string& text) {
+TextSplice text_over(const LocatedTree& tree, LocatedValue value, const std::string& text) {
   const TextNode& node = tree.at(value);
   return {node.begin, node.end - node.begin, write_json_line(Value(text))};
 }
 
 /// Renames a component in links.
-void rename_in_links(const LocatedTree& tree, const std::string& id, const std::string& name, Patch& patch) {
+void rename_in_links(const LocatedTree& tree, const std::string& id, const std::string& name, TextPatch& patch) {
   const LocatedValue links = member_of(tree, tree.root(), "links");
   if (links.value == nullptr || links.value->list() == nullptr) return;
   for (std::size_t k = 0; k < part_count(*links.value); ++k) {
@@ -77,7 +77,7 @@ void rename_in_links(const LocatedTree& tree, const std::string& id, const std::
 
 /// Renames a component in the components that show it.
 void rename_where_shown(const LocatedTree& tree, const std::string& id, const std::string& name,
-                        const Registry& registry, Patch& patch) {
+                        const Registry& registry, TextPatch& patch) {
   const LocatedValue components = member_of(tree, tree.root(), "components");
   if (components.value == nullptr || components.value->object() == nullptr) return;
   for (std::size_t k = 0; k < part_count(*components.value); ++k) {
@@ -92,7 +92,7 @@ void rename_where_shown(const LocatedTree& tree, const std::string& id, const st
 
 /// Renames a variable in an expression.
 void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std::string& variable,
-                          const std::string& name, const std::string& path, Patch& patch) {
+                          const std::string& name, const std::string& path, TextPatch& patch) {
   const std::string& text = *value.value->text();
   std::vector<std::size_t> places;
   for (std::size_t at = 0; at < text.size();) {
@@ -108,24 +108,25 @@ void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std
   }
 }
 
-Patch in_order(Patch patch) {
-  std::stable_sort(patch.begin(), patch.end(), [](const Splice& a, const Splice& b) { return a.offset < b.offset; });
+TextPatch in_order(TextPatch patch) {
+  std::stable_sort(patch.begin(), patch.end(),
+                   [](const TextSplice& a, const TextSplice& b) { return a.offset < b.offset; });
   // An expression may have been read twice.
   patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
   return patch;
 }
 
-void append(Patch& patch, const Patch& more) { patch.insert(patch.end(), more.begin(), more.end()); }
+void append(TextPatch& patch, const TextPatch& more) { patch.insert(patch.end(), more.begin(), more.end()); }
 
 }  // namespace
 
-Patch rename_component(const LocatedTree& tree, const std::string& id, const std::string& name,
-                       const Registry& registry, const std::function<bool(const std::string& placer)>& placed_by) {
+TextPatch rename_component(const LocatedTree& tree, const std::string& id, const std::string& name,
+                           const Registry& registry, const std::function<bool(const std::string& placer)>& placed_by) {
   const std::string path = path_below("components", id);
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) {
     refuse_name(path, fmt::format("'{}' cannot name a component", name), "letters, digits and _");
   }
-  Patch patch = rename_member(tree, path, name);
+  TextPatch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;
   rename_in_links(tree, id, name, patch);
   rename_where_shown(tree, id, name, registry, patch);
@@ -138,8 +139,8 @@ Patch rename_component(const LocatedTree& tree, const std::string& id, const std
   return in_order(std::move(patch));
 }
 
-Patch rename_variable(const LocatedTree& tree, const std::string& variable, const std::string& name,
-                      const Registry& registry, const std::vector<std::string>& expression_paths) {
+TextPatch rename_variable(const LocatedTree& tree, const std::string& variable, const std::string& name,
+                          const Registry& registry, const std::vector<std::string>& expression_paths) {
   const std::string path = path_below("variables", variable);
   if (!is_identifier(name)) {
     refuse_name(path, fmt::format("'{}' is not a name", name), "letters, digits and _, not beginning with a digit");
@@ -147,7 +148,7 @@ Patch rename_variable(const LocatedTree& tree, const std::string& variable, cons
   if (has_meaning(name)) {
     refuse_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name");
   }
-  Patch patch = rename_member(tree, path, name);
+  TextPatch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;
   for (const std::string& expression : expression_paths) {
     const PathTarget target = follow_path(tree, expression);

@@ -56,7 +56,7 @@ void Session::read_anew(const Progress* progress) {
   is_read_ = true;
 }
 
-Change Session::take_over(Patch patch, const Progress* progress) {
+Change Session::take_over(TextPatch patch, const Progress* progress) {
   Change change{.patch = std::move(patch), .inverse = {}};
   change.inverse = inverse_patch(text_, change.patch);
   std::string before = std::exchange(text_, apply_patch(text_, change.patch));
@@ -69,13 +69,13 @@ Change Session::take_over(Patch patch, const Progress* progress) {
   return change;
 }
 
-Change Session::edit(const std::vector<Edit>& edits, const Progress* progress) {
-  Patch patch;
+Change Session::edit(const std::vector<SessionEdit>& edits, const Progress* progress) {
+  TextPatch patch;
   try {
     LocatedTree tree(text_, progress);
     TreeEdit all(&tree, progress);
     const EditContext context{file_, *registry_, document(), reading(progress)};
-    for (const Edit& edit : edits) make_edit(edit, all, context);
+    for (const SessionEdit& edit : edits) make_edit(edit, all, context);
     patch = all.patch();
   } catch (const InputError& error) {
     std::vector<Diagnostic> errors = error.diagnostics();
@@ -92,14 +92,14 @@ void Session::note(const Change& change) {
   if (done_.size() > options_.max_undone) done_.erase(done_.begin());
 }
 
-Change Session::edit_text(const Patch& patch, const Progress* progress) {
+Change Session::edit_text(const TextPatch& patch, const Progress* progress) {
   if (patch.empty()) return {};
   Change change = take_over(patch, progress);
   note(change);
   return change;
 }
 
-Change Session::change_text(const Patch& patch) {
+Change Session::change_text(const TextPatch& patch) {
   if (patch.empty()) return {};
   Change change{.patch = patch, .inverse = inverse_patch(text_, patch)};
   text_ = apply_patch(text_, patch);
@@ -127,7 +127,7 @@ std::optional<Change> Session::redo(const Progress* progress) {
   return step_back(undone_, done_, progress);
 }
 
-void Session::set_overrides(std::vector<Override> overrides, const Progress* progress) {
+void Session::set_overrides(std::vector<ValueOverride> overrides, const Progress* progress) {
   std::swap(options_.overrides, overrides);
   try {
     read_anew(progress);

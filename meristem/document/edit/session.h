@@ -16,7 +16,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/edit/patch.h"
 #include "meristem/document/grow.h"
-#include "meristem/shape/scene_keys.h"
+#include "meristem/shape/scene/scene_keys.h"
 
 namespace meristem {
 
@@ -70,8 +70,8 @@ struct InsertPart {
                                                              ///< unset: last
   std::optional<std::size_t> link_index{};                   ///< index of its first link among the links; unset: last
 };
-using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote,
-                          InsertPart>;  ///< any kind of edit
+using SessionEdit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote,
+                                 InsertPart>;  ///< any kind of edit
 
 /// Returns a part of a document, which is a document too: these components, the links among them and the variables that
 /// they use, all as they are written. Throws an InputError if the text is not JSON or has no such component. Throws
@@ -86,17 +86,17 @@ std::vector<std::pair<std::string, std::string>> component_notes(const std::stri
 
 /// A change of the text, and the inverse change.
 struct Change {
-  Patch patch;    ///< turns the text before into the text after
-  Patch inverse;  ///< turns the text after into the text before
+  TextPatch patch;    ///< turns the text before into the text after
+  TextPatch inverse;  ///< turns the text after into the text before
 };
 
 /// Options of a session for reading its text.
 struct SessionOptions {
-  std::vector<Override> overrides{};    ///< as of read_document
-  std::optional<std::uint64_t> seed{};  ///< as of read_document
-  std::string root{};                   ///< as of read_document
-  std::string models{};                 ///< as of read_document
-  std::size_t max_undone = 1000;        ///< number of edits that can be undone; older ones are forgotten
+  std::vector<ValueOverride> overrides{};  ///< as of read_document
+  std::optional<std::uint64_t> seed{};     ///< as of read_document
+  std::string root{};                      ///< as of read_document
+  std::string models{};                    ///< as of read_document
+  std::size_t max_undone = 1000;           ///< number of edits that can be undone; older ones are forgotten
   /// False: the constructor does not read the text. Until read(), the text counts as one with faults.
   bool reads_at_once = true;
 };
@@ -128,13 +128,13 @@ class Session {
 
   /// Makes the edits, one after another, as one step. Throws an InputError if one of them is impossible or if the text
   /// is not JSON; nothing is changed then.
-  Change edit(const std::vector<Edit>& edits, const Progress* progress = nullptr);
+  Change edit(const std::vector<SessionEdit>& edits, const Progress* progress = nullptr);
   Change edit(std::string path, Value value) { return edit({SetValue{std::move(path), std::move(value)}}); }
   /// Applies a patch to the text, as when a user types. Throws std::invalid_argument if the patch does not fit.
-  Change edit_text(const Patch& patch, const Progress* progress = nullptr);
+  Change edit_text(const TextPatch& patch, const Progress* progress = nullptr);
   /// Applies a patch like edit_text(), but does not read the new text. Until read(), the text counts as one with
   /// faults.
-  Change change_text(const Patch& patch);
+  Change change_text(const TextPatch& patch);
   /// Reads the present text if it is not read yet. If this is stopped, the text stays unread.
   void read(const Progress* progress = nullptr);
   /// Undoes the last step. Returns nothing if there is no step to undo.
@@ -145,10 +145,10 @@ class Session {
   std::size_t redo_count() const { return undone_.size(); }  ///< number of steps that redo() can make again
 
   /// Returns the values that replace values of the text.
-  const std::vector<Override>& overrides() const { return options_.overrides; }
+  const std::vector<ValueOverride>& overrides() const { return options_.overrides; }
   /// Sets values that replace values of the text until the next call, for example during the drag of a slider. The text
   /// does not change.
-  void set_overrides(std::vector<Override> overrides, const Progress* progress = nullptr);
+  void set_overrides(std::vector<ValueOverride> overrides, const Progress* progress = nullptr);
   /// Reads files that have changed on the disk, and the document that names them.
   void reload(const Progress* progress = nullptr);
 
@@ -169,7 +169,7 @@ class Session {
  private:
   ReadOptions reading(const Progress* progress);
   void read_anew(const Progress* progress);
-  Change take_over(Patch patch, const Progress* progress);
+  Change take_over(TextPatch patch, const Progress* progress);
   Change step_back(std::vector<Change>& from, std::vector<Change>& to, const Progress* progress);
   void note(const Change& change);
 

@@ -42,7 +42,7 @@ void check_value(const Value& value, std::string_view path) {
   refuse(path, "the value has a number that is not finite", "finite numbers");
 }
 
-Splice written_over(const LocatedTree& tree, LocatedValue old, const Value& value) {
+TextSplice written_over(const LocatedTree& tree, LocatedValue old, const Value& value) {
   const TextNode& node = tree.at(old);
   const std::string& text = tree.text();
   return {.offset = node.begin,
@@ -52,7 +52,7 @@ Splice written_over(const LocatedTree& tree, LocatedValue old, const Value& valu
 }
 
 /// Rewrites all values that differ, if old and new have the same parts.
-void write_over_differences(const LocatedTree& tree, LocatedValue old, const Value& value, Patch& patch) {
+void write_over_differences(const LocatedTree& tree, LocatedValue old, const Value& value, TextPatch& patch) {
   if (*old.value == value) return;
   if (!have_same_parts(*old.value, value)) {
     patch.push_back(written_over(tree, old, value));
@@ -72,7 +72,7 @@ void rewrite(TreeEdit& edit, std::string_view path, const Value& value) {
     const LocatedValue old = find_path(present, path).last();
     const std::optional<PartDifference> found = first_part_difference(present, old, value);
     if (!found) {
-      Patch rest;
+      TextPatch rest;
       write_over_differences(present, old, value, rest);
       edit.take(std::move(rest));
       return;
@@ -98,7 +98,7 @@ Value with_steps(const PathTarget& target, const Value& value, std::string_view 
 
 }  // namespace
 
-Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value) {
+TextPatch set_value(const LocatedTree& tree, std::string_view path, const Value& value) {
   TreeEdit edit(tree);
   set_value(edit, path, value);
   return edit.patch();
@@ -122,8 +122,8 @@ void set_value(TreeEdit& edit, std::string_view path, const Value& value) {
   edit.take(insert_part(tree, last, part_count(*last.value), {&step.name, &made}));
 }
 
-Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
-                   std::optional<std::size_t> index) {
+TextPatch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
+                       std::optional<std::size_t> index) {
   check_value(value, path);
   const PathTarget target = follow_path(tree, path);
   const bool is_there = target.missing.empty();
@@ -149,12 +149,12 @@ Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& 
   return insert_part(tree, container, index.value_or(count), {&target.missing[0].name, &value});
 }
 
-Patch remove_value(const LocatedTree& tree, std::string_view path) {
+TextPatch remove_value(const LocatedTree& tree, std::string_view path) {
   const PathTarget target = find_path(tree, path);
   return remove_part(tree, target.container(), target.places.back()).patch;
 }
 
-Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name) {
+TextPatch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name) {
   const PathTarget target = find_path(tree, path);
   const LocatedValue container = target.container();
   if (container.value->object() == nullptr) refuse(path, "elements of lists have no names", "the path of a member");
@@ -178,7 +178,7 @@ namespace {
 void take_note_along(const LocatedTree& tree, LocatedValue container, std::size_t index, RemovedPart& removed) {
   const std::optional<TextRange> note = note_lines_above(tree, container, index);
   if (!note) return;
-  const auto own = std::ranges::find(removed.patch, note->end, &Splice::offset);
+  const auto own = std::ranges::find(removed.patch, note->end, &TextSplice::offset);
   if (own == removed.patch.end()) return;
   own->offset = note->begin;
   own->length += note->end - note->begin;
@@ -190,7 +190,7 @@ void take_note_along(const LocatedTree& tree, LocatedValue container, std::size_
 
 }  // namespace
 
-Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index) {
+TextPatch move_value(const LocatedTree& tree, std::string_view path, std::size_t index) {
   TreeEdit edit(tree);
   move_value(edit, path, index);
   return edit.patch();

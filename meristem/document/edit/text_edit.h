@@ -23,23 +23,23 @@ namespace meristem {
 
 /// Sets the value at a path. Missing members on the way are added after the others; elements of lists must exist.
 /// Within lists and objects only differences are rewritten.
-Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
+TextPatch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
 /// Adds the patches to an edit.
 void set_value(TreeEdit& edit, std::string_view path, const Value& value);
 
 /// Inserts an element before the path's index, or after the last one; a missing list is added. Or adds a missing
 /// member, after all others or at `index`.
-Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
-                   std::optional<std::size_t> index = {});
+TextPatch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
+                       std::optional<std::size_t> index = {});
 
 /// Removes a member or element.
-Patch remove_value(const LocatedTree& tree, std::string_view path);
+TextPatch remove_value(const LocatedTree& tree, std::string_view path);
 
 /// Renames a member. The new name must be free.
-Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name);
+TextPatch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name);
 
 /// Moves a member or element within its object or list to `index`.
-Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index);
+TextPatch move_value(const LocatedTree& tree, std::string_view path, std::size_t index);
 /// Adds the patches to an edit.
 void move_value(TreeEdit& edit, std::string_view path, std::size_t index);
 

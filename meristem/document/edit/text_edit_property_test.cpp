@@ -173,7 +173,7 @@ void move_part(Parts& parts, std::size_t from, std::size_t to) {
 }
 
 /// A random edit of the text; `expected` is edited in the same way in memory.
-Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
+TextPatch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
   const std::vector<Spot> spots = all_spots(expected);
   const Spot spot = spots[draw.below(spots.size())];
   std::vector<std::size_t> above(spot.places.begin(), spot.places.end() - 1);
@@ -185,7 +185,7 @@ Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
   switch (draw.below(7)) {
     case 0: {
       Value value = random_value(draw, 2);
-      Patch patch = set_value(tree, spot.path, value);
+      TextPatch patch = set_value(tree, spot.path, value);
       target = std::move(value);
       return patch;
     }
@@ -199,33 +199,33 @@ Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
         object->erase(object->begin() + static_cast<std::ptrdiff_t>(draw.below(object->size())));
         object->insert(object->begin() + static_cast<std::ptrdiff_t>(draw.below(object->size() + 1)), {"new", 77});
       }
-      Patch patch = set_value(tree, spot.path, value);
+      TextPatch patch = set_value(tree, spot.path, value);
       target = std::move(value);
       return patch;
     }
     case 2: {
-      Patch patch = remove_value(tree, spot.path);
+      TextPatch patch = remove_value(tree, spot.path);
       if (container.list() != nullptr) container.list()->erase(container.list()->begin() + at);
       if (container.object() != nullptr) container.object()->erase(container.object()->begin() + at);
       return patch;
     }
     case 3: {
       const std::size_t to = draw.below(count);
-      Patch patch = move_value(tree, spot.path, to);
+      TextPatch patch = move_value(tree, spot.path, to);
       if (container.list() != nullptr) move_part(*container.list(), place, to);
       if (container.object() != nullptr) move_part(*container.object(), place, to);
       return patch;
     }
     case 4: {
       if (container.object() == nullptr || container.find("other") != nullptr) return {};
-      Patch patch = rename_member(tree, spot.path, "other");
+      TextPatch patch = rename_member(tree, spot.path, "other");
       (*container.object())[place].first = "other";
       return patch;
     }
     case 5: {  // into the spot's own container
       const Value value = random_value(draw, 2);
       if (container.list() != nullptr) {
-        Patch patch = insert_value(tree, spot.path, value);
+        TextPatch patch = insert_value(tree, spot.path, value);
         container.list()->insert(container.list()->begin() + at, value);
         return patch;
       }
@@ -233,19 +233,19 @@ Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
       const auto around =
           std::find_if(spots.begin(), spots.end(), [&](const Spot& other) { return other.places == above; });
       const std::string in = quoted_below(around == spots.end() ? "" : around->path, "more.");
-      Patch patch = insert_value(tree, in, value, place);
+      TextPatch patch = insert_value(tree, in, value, place);
       container.object()->insert(container.object()->begin() + at, {"more.", value});
       return patch;
     }
     default: {  // behind all that the spot holds
       const Value value = random_value(draw, 2);
       if (target.list() != nullptr) {
-        Patch patch = insert_value(tree, spot.path + "[]", value);
+        TextPatch patch = insert_value(tree, spot.path + "[]", value);
         target.list()->push_back(value);
         return patch;
       }
       if (target.object() == nullptr || target.find("last") != nullptr) return {};
-      Patch patch = set_value(tree, quoted_below(spot.path, "last"), value);
+      TextPatch patch = set_value(tree, quoted_below(spot.path, "last"), value);
       target.object()->emplace_back("last", value);
       return patch;
     }
@@ -287,10 +287,10 @@ void check_edits(const std::string& first, std::uint64_t seed, int edits) {
   std::string text = first;
   LocatedTree changed(first);
   PatchJoiner joiner;
-  Patch all;
+  TextPatch all;
   for (int k = 0; k < edits && part_count(expected) > 0; ++k) {
     const LocatedTree tree(text);
-    const Patch patch = random_edit(tree, expected, draw);
+    const TextPatch patch = random_edit(tree, expected, draw);
     ASSERT_TRUE(is_sound(patch, text.size()));
     const std::string edited = apply_patch(text, patch);
     ASSERT_EQ(write_json(parse_json(edited)), write_json(expected)) << first << "\n--->\n"
@@ -390,9 +390,9 @@ TEST(TextEditProperty, APatchOfPlacesFarApartReadsOnlyTheseParts) {
   for (int k = 0; k < 5000; ++k) members.emplace_back("m" + std::to_string(k), Value::Object{{"a", 1}, {"b", 2}});
   const std::string text = write_json(Value(Value::Object{{"one", members}, {"two", members}}));
   LocatedTree tree(text);
-  Patch patch;
+  TextPatch patch;
   for (const char* const path : {"one.m7.a", "one.m4000.b", "two.m1.a", "two.m4999.b"}) {
-    for (Splice& splice : set_value(tree, path, 12345)) patch.push_back(std::move(splice));
+    for (TextSplice& splice : set_value(tree, path, 12345)) patch.push_back(std::move(splice));
   }
   const std::size_t before = tree.parsed_bytes();
   tree.apply(patch);
@@ -436,9 +436,9 @@ TEST(TextEditProperty, EveryNumberOfTheShippedModelsIsWrittenOverAlone) {
     Value root = *tree.root().value;
     for (const Spot& spot : all_spots(root)) {
       if (value_in(root, spot.places).number() == nullptr) continue;
-      const Patch patch = set_value(tree, spot.path, 0.0625);
+      const TextPatch patch = set_value(tree, spot.path, 0.0625);
       ASSERT_LE(patch.size(), 1U);
-      for (const Splice& splice : patch) ASSERT_EQ(splice.replacement, "0.0625") << spot.path;
+      for (const TextSplice& splice : patch) ASSERT_EQ(splice.replacement, "0.0625") << spot.path;
     }
   }
 }

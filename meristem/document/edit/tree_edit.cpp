@@ -12,11 +12,11 @@ const LocatedTree& TreeEdit::tree() {
     copy_ = *original_;
     tree_ = &*copy_;
   }
-  for (const Patch& patch : std::exchange(waiting_, {})) tree_->apply(patch, progress_);
+  for (const TextPatch& patch : std::exchange(waiting_, {})) tree_->apply(patch, progress_);
   return *tree_;
 }
 
-void TreeEdit::take(Patch next) {
+void TreeEdit::take(TextPatch next) {
   if (progress_ != nullptr) progress_->check();
   if (next.empty()) return;
   waiting_.push_back(next);

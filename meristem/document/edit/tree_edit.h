@@ -26,16 +26,16 @@ class TreeEdit {
   /// Returns the tree after all patches so far. Invalidates located values of the tree before the last take().
   const LocatedTree& tree();
   /// Adds the next patch, for the text of tree().
-  void take(Patch next);
+  void take(TextPatch next);
   /// Returns all patches so far as one patch for the first text.
-  Patch patch() const { return joiner_.joined(); }
+  TextPatch patch() const { return joiner_.joined(); }
 
  private:
   const LocatedTree* original_ = nullptr;
   std::optional<LocatedTree> copy_;
   LocatedTree* tree_ = nullptr;  // null until the original is copied
   const Progress* progress_;
-  std::vector<Patch> waiting_;  // until the tree is needed
+  std::vector<TextPatch> waiting_;  // until the tree is needed
   PatchJoiner joiner_;
 };
 

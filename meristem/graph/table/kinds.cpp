@@ -11,8 +11,8 @@ namespace meristem {
 
 namespace {
 
-bool is_required(const Kinds& kinds, const std::string& row) {
-  return std::all_of(kinds.kinds.begin(), kinds.kinds.end(), [&](const Kinds::Kind& kind) {
+bool is_required(const ElementKinds& kinds, const std::string& row) {
+  return std::all_of(kinds.kinds.begin(), kinds.kinds.end(), [&](const ElementKinds::Kind& kind) {
     const Parameter* const own = kind.table().find(row);
     return own != nullptr && own->required;
   });
@@ -20,7 +20,7 @@ bool is_required(const Kinds& kinds, const std::string& row) {
 
 }  // namespace
 
-ParameterTable table_of_kinds(const Kinds& kinds) {
+ParameterTable table_of_kinds(const ElementKinds& kinds) {
   ParameterTable all;
   all.name = kinds.element;
   all.doc = kinds.doc;
@@ -29,8 +29,8 @@ ParameterTable table_of_kinds(const Kinds& kinds) {
   says.doc = kinds.key_doc;
   says.kind = ParameterKind::choice;
   says.required = true;
-  for (const Kinds::Kind& kind : kinds.kinds) says.choices.push_back(kind.name);
-  for (const Kinds::Kind& kind : kinds.kinds) {
+  for (const ElementKinds::Kind& kind : kinds.kinds) says.choices.push_back(kind.name);
+  for (const ElementKinds::Kind& kind : kinds.kinds) {
     for (const Parameter& row : kind.table().parameters) {
       if (all.find(row.name) != nullptr) continue;
       all.parameters.push_back(row);
@@ -40,7 +40,7 @@ ParameterTable table_of_kinds(const Kinds& kinds) {
   return all;
 }
 
-std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
+std::optional<std::size_t> read_kind(const ElementKinds& kinds, const ParameterTable& all, const Value& value,
                                      const DocumentPath& path, ParameterReader& reader) {
   if (value.object() == nullptr) {
     reader.add_error(path, fmt::format("{} cannot be {}", kinds.element, value.description()),

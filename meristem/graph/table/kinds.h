@@ -13,7 +13,7 @@
 namespace meristem {
 
 /// The kinds of a list's elements, in the order of the variant's alternatives.
-struct Kinds {
+struct ElementKinds {
   /// One kind of element.
   struct Kind {
     std::string name;                            ///< as documents write it
@@ -29,10 +29,10 @@ struct Kinds {
 
 /// Returns the rows of all kinds as one table, after the row of the kind. Used for the schema, for lists of parameters
 /// and for messages; nothing is read with it. A row is required if every kind requires it.
-ParameterTable table_of_kinds(const Kinds& kinds);
+ParameterTable table_of_kinds(const ElementKinds& kinds);
 
 /// Returns the index of an element's kind, or nothing after a fault. `all` is the table of all kinds.
-std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
+std::optional<std::size_t> read_kind(const ElementKinds& kinds, const ParameterTable& all, const Value& value,
                                      const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

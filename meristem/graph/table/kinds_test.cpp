@@ -23,7 +23,7 @@ struct Garden {
   double size = 1;
 };
 
-const Kinds& work_kinds();
+const ElementKinds& work_kinds();
 
 void check_snip(const Snip& snip, const DocumentPath& path, ParameterReader& reader) {
   if (snip.length > snip.at) reader.add_error(DocumentPath(path, "length"), "longer than it has grown");
@@ -55,12 +55,12 @@ const ParameterTable& bend_table() {
           .prepare(note_place<Bend>);
   return table;
 }
-const Kinds& work_kinds() {
-  static const Kinds kinds{.element = "a piece of work",
-                           .doc = "What is done.",
-                           .key = "do",
-                           .key_doc = "Its kind.",
-                           .kinds = {{"snip", snip_table}, {"bend", bend_table}}};
+const ElementKinds& work_kinds() {
+  static const ElementKinds kinds{.element = "a piece of work",
+                                  .doc = "What is done.",
+                                  .key = "do",
+                                  .key_doc = "Its kind.",
+                                  .kinds = {{"snip", snip_table}, {"bend", bend_table}}};
   return kinds;
 }
 const ParameterTable& work_table() {
@@ -82,7 +82,7 @@ struct Result {
 
 Result read(Value::List work) {
   Result result;
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   const DocumentPath top;
   reader.read(garden_table(), &result.garden, Value::Object{{"work", Value(std::move(work))}},
               DocumentPath(top, "garden"));

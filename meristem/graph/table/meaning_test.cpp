@@ -49,7 +49,7 @@ const ParameterTable& pen_table() {
 }
 
 std::vector<Diagnostic> errors_in(const Value& value) {
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   Pen pen;
   reader.read(pen_table(), &pen, value, DocumentPath());
   return reader.take_diagnostics();

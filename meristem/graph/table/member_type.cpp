@@ -161,13 +161,13 @@ void read_value(const Parameter& self, PerChild& member, const Value& value, con
 
 Value show_value(const Parameter& self, const PerChild& member) { return to_document(self.form.unit, member.plain); }
 
-void read_value(const Parameter& self, Count& member, const Value& value, const DocumentPath& path,
+void read_value(const Parameter& self, PartCount& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  const StoreNumber store = [](void* to, double number) { *static_cast<Count*>(to) = Count(number); };
+  const StoreNumber store = [](void* to, double number) { *static_cast<PartCount*>(to) = PartCount(number); };
   reader.store_number(self, value, path, {&member, store, member.value});
 }
 
-Value show_value(const Parameter&, const Count& member) { return rounded(member.value); }
+Value show_value(const Parameter&, const PartCount& member) { return rounded(member.value); }
 
 void read_value(const Parameter& self, Curve& curve, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
@@ -284,7 +284,7 @@ Value show_value(const Parameter& self, const std::vector<Vec3>& member) {
   return list;
 }
 
-void read_value(const Parameter& self, Facing& member, const Value& value, const DocumentPath& path,
+void read_value(const Parameter& self, FacingDirection& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   if (const std::string* text = value.text()) {
     member.is_from_surface = *text == "surface";
@@ -306,7 +306,7 @@ void read_value(const Parameter& self, Facing& member, const Value& value, const
   member.direction = Vec3(glm::normalize(direction / largest));
 }
 
-Value show_value(const Parameter& self, const Facing& member) {
+Value show_value(const Parameter& self, const FacingDirection& member) {
   return member.is_from_surface ? Value("surface") : show_value(self, DVec3(member.direction));
 }
 
@@ -322,14 +322,14 @@ Value show_value(const Parameter& self, const Box& member) {
   return Value::List{show_value(self, member.low), show_value(self, member.high)};
 }
 
-void read_value(const Parameter& self, Selection& member, const Value& value, const DocumentPath& path,
+void read_value(const Parameter& self, InstanceSelection& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value::List* list = value.list();
   if (list == nullptr) return reader.wrong_kind(self, value, path);
   Parameter number_row = element_of(self);
   number_row.kind = ParameterKind::integer;
   number_row.form = {.min = 0, .max = 4294967295.0, .fixed = true};
-  Selection selection;
+  InstanceSelection selection;
   selection.names = reader.instance_names().size();
   for (std::size_t k = 0; k < list->size(); ++k) {
     const Value& entry = (*list)[k];
@@ -361,17 +361,17 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
   member = std::move(selection);
 }
 
-Value show_value(const Parameter&, const Selection& selection) {
+Value show_value(const Parameter&, const InstanceSelection& selection) {
   Value::List list;
   for (const auto& [low, high] : selection.ranges) {
     const Value first(static_cast<double>(low));
     list.push_back(low == high ? first : Value(Value::List{first, static_cast<double>(high)}));
   }
-  for (const Condition& condition : selection.conditions) list.emplace_back(condition.text);
+  for (const SiteCondition& condition : selection.conditions) list.emplace_back(condition.text);
   return list;
 }
 
-void read_value(const Parameter& self, Formula& member, const Value& value, const DocumentPath& path,
+void read_value(const Parameter& self, ParameterFormula& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const bool is_number = self.kind == ParameterKind::formula && value.number() != nullptr;
   const Value text = is_number ? Value(fmt::format("{}", *value.number())) : value;
@@ -379,7 +379,7 @@ void read_value(const Parameter& self, Formula& member, const Value& value, cons
   if (auto compiled = reader.expression(text, path, self.names)) member = {*text.text(), std::move(*compiled)};
 }
 
-Value show_value(const Parameter&, const Formula& member) { return member.text; }
+Value show_value(const Parameter&, const ParameterFormula& member) { return member.text; }
 
 void read_held(const Parameter& self, void* member, const Value& value, const DocumentPath& path,
                ParameterReader& reader) {
@@ -414,7 +414,7 @@ Value show_held(const Parameter& self, const void* member) {
   const auto shown = [&](std::size_t index) {
     Value element = self.table_of(member, index).show(self.type->element(const_cast<void*>(member), index));
     if (self.kinds != nullptr) {
-      const Kinds& kinds = self.kinds();
+      const ElementKinds& kinds = self.kinds();
       element.object()->insert(element.object()->begin(),
                                {kinds.key, kinds.kinds[self.type->kind(member, index)].name});
     }

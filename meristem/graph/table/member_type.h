@@ -27,7 +27,7 @@ namespace meristem {
 
 /// Makes an asset from a file, or throws InputError.
 template <class T>
-using LoadAsset = T (*)(const std::string& file_path, const Limits& limits);
+using LoadAsset = T (*)(const std::string& file_path, const SizeLimits& limits);
 /// Makes an asset from a text. `path` is the path of the file, or a path in the document's folder if the text is in the
 /// document.
 template <class T>
@@ -47,39 +47,41 @@ struct ValueOfMember<std::optional<M>> {
 template <class M>
 using ValueOf = typename ValueOfMember<M>::Type;
 
-/// Reads a document's value into a member of the row's struct. Reports faults to the reader, at the path.
+/// Reads a document's value into a member of the row's struct. Reports errors to the reader, at the path. After an
+/// error, the member may be partly changed.
 void read_value(const Parameter&, bool& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
-void read_value(const Parameter&, Count& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, PartCount& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Vec3& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, DVec3& member, const Value&, const DocumentPath&, ParameterReader&);
-void read_value(const Parameter&, Facing& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, FacingDirection& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Box& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Curve& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::vector<Vec3>& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::vector<int>& member, const Value&, const DocumentPath&, ParameterReader&);
-void read_value(const Parameter&, Selection& member, const Value&, const DocumentPath&, ParameterReader&);
-void read_value(const Parameter&, Formula& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, InstanceSelection& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, ParameterFormula& member, const Value&, const DocumentPath&, ParameterReader&);
 
-/// Returns a member as a document would write it; null if it is unset.
+/// Returns a member as a document would write it; null if it is unset. Numbers are in document units and are rounded to
+/// 7 digits. Lists of whole numbers are exact.
 Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
-Value show_value(const Parameter&, const Count& member);
+Value show_value(const Parameter&, const PartCount& member);
 Value show_value(const Parameter&, const Vec3& member);
 Value show_value(const Parameter&, const DVec3& member);
-Value show_value(const Parameter&, const Facing& member);
+Value show_value(const Parameter&, const FacingDirection& member);
 Value show_value(const Parameter&, const Box& member);
 Value show_value(const Parameter&, const Curve& member);
 Value show_value(const Parameter&, const std::vector<Vec2>& member);
 Value show_value(const Parameter&, const std::vector<Vec3>& member);
 Value show_value(const Parameter&, const std::vector<int>& member);
-Value show_value(const Parameter&, const Selection& member);
-Value show_value(const Parameter&, const Formula& member);
+Value show_value(const Parameter&, const InstanceSelection& member);
+Value show_value(const Parameter&, const ParameterFormula& member);
 
-/// A number of the struct in document units, as people write it.
+/// Returns a number of the struct in document units, rounded to 7 digits.
 Value show_number(const Parameter&, double number);
 
 /// Writes to a member of type M, which is a number or an optional one.
@@ -168,7 +170,7 @@ inline constexpr MemberType kMemberType{read_member<M>, show_member<M>, copy_mem
 
 /// Makes and finds the structs that a member holds. A member holds one struct, an optional struct, a list or a map.
 template <class T>
-struct Held {
+struct HeldStructs {
   /// Makes as many new structs in the member as `value` has.
   static void make(T&, const Value&) {}
   /// Returns the number of structs in the member.
@@ -177,19 +179,19 @@ struct Held {
   static void* element(T& member, std::size_t) { return &member; }
 };
 template <class T>
-struct Held<std::optional<T>> {
+struct HeldStructs<std::optional<T>> {
   static void make(std::optional<T>& member, const Value&) { member.emplace(); }
   static std::size_t count(const std::optional<T>& member) { return member ? 1 : 0; }
   static void* element(std::optional<T>& member, std::size_t) { return &*member; }
 };
 template <class T>
-struct Held<std::vector<T>> {
+struct HeldStructs<std::vector<T>> {
   static void make(std::vector<T>& member, const Value& value) { member.assign(value.list()->size(), T{}); }
   static std::size_t count(const std::vector<T>& member) { return member.size(); }
   static void* element(std::vector<T>& member, std::size_t index) { return &member[index]; }
 };
 template <class... T>
-struct Held<std::vector<std::variant<T...>>> {
+struct HeldStructs<std::vector<std::variant<T...>>> {
   using List = std::vector<std::variant<T...>>;  ///< the type of the member
   static void make(List& member, const Value& value) { member.assign(value.list()->size(), {}); }
   static std::size_t count(const List& member) { return member.size(); }
@@ -207,7 +209,7 @@ struct Held<std::vector<std::variant<T...>>> {
   }
 };
 template <class T>
-struct Held<std::vector<std::pair<std::string, T>>> {
+struct HeldStructs<std::vector<std::pair<std::string, T>>> {
   using Map = std::vector<std::pair<std::string, T>>;  ///< the type of the member
   static void make(Map& member, const Value& value) {
     member.clear();
@@ -228,20 +230,22 @@ Value show_held(const Parameter&, const void* member);
 template <class M>
 constexpr MemberType holder_type() {
   MemberType type{read_held, show_held, copy_member<M>};
-  type.make = [](void* member, const Value& value) { Held<M>::make(*static_cast<M*>(member), value); };
-  type.count = [](const void* member) { return Held<M>::count(*static_cast<const M*>(member)); };
-  type.element = [](void* member, std::size_t index) { return Held<M>::element(*static_cast<M*>(member), index); };
-  if constexpr (requires(const M& map) { Held<M>::name(map, 0); }) {
+  type.make = [](void* member, const Value& value) { HeldStructs<M>::make(*static_cast<M*>(member), value); };
+  type.count = [](const void* member) { return HeldStructs<M>::count(*static_cast<const M*>(member)); };
+  type.element = [](void* member, std::size_t index) {
+    return HeldStructs<M>::element(*static_cast<M*>(member), index);
+  };
+  if constexpr (requires(const M& map) { HeldStructs<M>::name(map, 0); }) {
     type.name = [](const void* member, std::size_t index) {
-      return Held<M>::name(*static_cast<const M*>(member), index);
+      return HeldStructs<M>::name(*static_cast<const M*>(member), index);
     };
   }
-  if constexpr (requires(const M& list) { Held<M>::kind(list, 0); }) {
+  if constexpr (requires(const M& list) { HeldStructs<M>::kind(list, 0); }) {
     type.kind = [](const void* member, std::size_t index) {
-      return Held<M>::kind(*static_cast<const M*>(member), index);
+      return HeldStructs<M>::kind(*static_cast<const M*>(member), index);
     };
     type.make_kind = [](void* member, std::size_t index, std::size_t kind) {
-      Held<M>::make_kind(*static_cast<M*>(member), index, kind);
+      HeldStructs<M>::make_kind(*static_cast<M*>(member), index, kind);
     };
   }
   return type;

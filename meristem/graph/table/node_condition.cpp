@@ -6,13 +6,14 @@
 #include <algorithm>
 
 #include "meristem/base/math.h"
+#include "meristem/graph/table/node_light.h"
 
 namespace meristem {
 
 namespace {
 
 /// Indices of the variables that only some skeletons have.
-enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight, kMarked };
+enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight, kMarked, kFruit, kWound };
 
 /// Returns the inclination of the segment that ends in each node, degrees above the horizontal.
 std::vector<double> inclinations(const Skeleton& skeleton) {
@@ -37,8 +38,9 @@ std::vector<double> ages(const Skeleton& skeleton) {
 }  // namespace
 
 const std::vector<std::string>& node_variables() {
-  static const std::vector<std::string> names = {"order", "radius",      "u",       "height",  "birth", "tip_distance",
-                                                 "rank",  "inclination", "metamer", "bud_age", "light", "marked"};
+  static const std::vector<std::string> names = {"order",        "radius", "u",           "height",  "birth",
+                                                 "tip_distance", "rank",   "inclination", "metamer", "bud_age",
+                                                 "light",        "marked", "fruit",       "wound"};
   return names;
 }
 
@@ -52,8 +54,8 @@ float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
   return static_cast<float>(length);
 }
 
-std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes, const Condition& condition,
-                                      RandomKey key) {
+std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const SkeletonAxes& axes,
+                                      const SiteCondition& condition, RandomKey key, const Scene* scene) {
   const std::size_t count = skeleton.node_count();
   const std::vector<float> tip = tip_distance(skeleton);
   std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),
@@ -87,8 +89,14 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
     if (k == kInclination) more[k] = inclinations(skeleton);
     if (k == kMetamer) more[k] = column("metamer");
     if (k == kBudAge) more[k] = ages(skeleton);
-    if (k == kLight) more[k] = column("light");
+    if (k == kLight && (scene == nullptr || skeleton.extra.count("light") != 0)) more[k] = column("light");
+    if (k == kLight && more[k].empty()) {
+      const std::vector<float> light = light_at_nodes(skeleton, *scene);
+      more[k].assign(light.begin(), light.end());
+    }
     if (k == kMarked) more[k] = column("marked");
+    if (k == kFruit) more[k] = column("fruit");
+    if (k == kWound) more[k] = column("wound");
   }
   std::vector<const double*> columns = {order.data(),  radius.data(), u.data(),
                                         height.data(), birth.data(),  distance.data()};

@@ -17,7 +17,7 @@
 
 namespace meristem {
 
-struct Kinds;
+struct ElementKinds;
 class ParameterReader;
 class ParameterTable;
 
@@ -143,7 +143,7 @@ struct Parameter {
   InSpace in_space = InSpace::none;            ///< role of the value in space, for grips of editors
   /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
-  const Kinds& (*kinds)() =
+  const ElementKinds& (*kinds)() =
       nullptr;  ///< kinds of a list's elements, if there are several; `nested` then has the rows of all kinds
   std::vector<std::string> names;        ///< variables of a condition or formula
   void (*load_file)() = nullptr;         ///< a LoadAsset, which reads a file from its path

@@ -395,16 +395,16 @@ namespace {
 
 /// Makes a range over time of keys that the reader of animations has checked and sorted.
 KeyedRange keyed_range(const Value& keys) {
-  std::vector<Track::Key> first;
-  std::vector<Track::Key> last;
+  std::vector<KeyTrack::Key> first;
+  std::vector<KeyTrack::Key> last;
   for (const Value& key : *keys.list()) {
     const Value::List& parts = *key.list();
-    const auto way = static_cast<Track::Way>(static_cast<int>(*parts[2].number()));
+    const auto way = static_cast<KeyTrack::Way>(static_cast<int>(*parts[2].number()));
     const Value::List* range = parts[1].list();
     first.push_back({*parts[0].number(), range != nullptr ? *(*range)[0].number() : *parts[1].number(), way});
     last.push_back({*parts[0].number(), range != nullptr ? *(*range)[1].number() : *parts[1].number(), way});
   }
-  return {Track(std::move(first)), Track(std::move(last))};
+  return {KeyTrack(std::move(first)), KeyTrack(std::move(last))};
 }
 
 }  // namespace
@@ -600,8 +600,8 @@ std::optional<std::uint64_t> ParameterReader::file_hash(const std::string& file_
 }
 
 Fingerprint ParameterReader::fingerprint_of_loading(void (*load)()) const {
-  static_assert(std::has_unique_object_representations_v<Limits>);
-  const std::string_view limits(reinterpret_cast<const char*>(&limits_), sizeof(Limits));
+  static_assert(std::has_unique_object_representations_v<SizeLimits>);
+  const std::string_view limits(reinterpret_cast<const char*>(&limits_), sizeof(SizeLimits));
   return Fingerprint().add(reinterpret_cast<std::uintptr_t>(load)).add_text(limits);
 }
 

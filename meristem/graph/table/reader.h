@@ -45,7 +45,7 @@ class ParameterReader {
       FunctionRef<void(const std::string& text, const std::string& file_path, std::vector<Diagnostic>& warnings)>;
 
   /// `constants` are the document's variables.
-  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, FileAccess access = {})
+  ParameterReader(std::vector<ExpressionNames::Constant> constants, const SizeLimits& limits, FileAccess access = {})
       : constants_(std::move(constants)),
         limits_(limits),
         instance_names_(site_variables()),
@@ -100,7 +100,7 @@ class ParameterReader {
   /// Reports that `wanted` of `what` exceed the limit called `limit_name`.
   void error_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                    std::string_view limit_name);
-  const Limits& limits() const { return limits_; }                             ///< limits of the document
+  const SizeLimits& limits() const { return limits_; }                         ///< limits of the document
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }  ///< faults and warnings so far
   /// Returns the faults and warnings, and leaves none.
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
@@ -159,7 +159,7 @@ class ParameterReader {
   /// Returns what `load` makes of the file at `path`, or its result in an earlier read. reader.file() must have named
   /// the file.
   template <class T>
-  std::shared_ptr<const T> kept_file(const std::string& file_path, T (*load)(const std::string&, const Limits&)) {
+  std::shared_ptr<const T> kept_file(const std::string& file_path, T (*load)(const std::string&, const SizeLimits&)) {
     const std::optional<std::uint64_t> hash = file_hash(file_path);
     if (!hash) return std::make_shared<const T>(load(file_path, limits_));
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
@@ -220,7 +220,7 @@ class ParameterReader {
 
   ConstantTable constants_;
   std::optional<std::uint64_t> constants_hash_;
-  Limits limits_;
+  SizeLimits limits_;
   NameTable instance_names_;
   const Progress* progress_ = nullptr;
   mutable std::size_t names_compared_ = 0;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kForms = "a list of numbers, or {\"file\": \"angles.csv\", \"column\": \"angle\"}";
 
-std::string read_text(const std::string& path, const Limits& limits) { return read_file(path, limits.file_bytes); }
+std::string read_text(const std::string& path, const SizeLimits& limits) { return read_file(path, limits.file_bytes); }
 
 /// Reports values of a file's column that are out of a number's range.
 void check_rows(const Parameter& row, std::string_view text, const Columns& columns, const std::string& column) {

@@ -12,20 +12,20 @@
 namespace meristem {
 
 /// An expression over the names that its parameter allows, as the document wrote it.
-struct Formula {
+struct ParameterFormula {
   std::string text;       ///< as the document wrote it
   Expression expression;  ///< compiled
 
-  bool operator==(const Formula& other) const { return text == other.text; }
+  bool operator==(const ParameterFormula& other) const { return text == other.text; }
 };
 
 /// A formula over sites along a stem or over instances. A result other than 0 means true.
-using Condition = Formula;
+using SiteCondition = ParameterFormula;
 
 /// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
-struct Selection {
+struct InstanceSelection {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;  ///< first and last number, both included
-  std::vector<Condition> conditions;                            ///< an instance that meets one of them is selected
+  std::vector<SiteCondition> conditions;                        ///< an instance that meets one of them is selected
   std::size_t names = 0;                                        ///< variables that conditions may use
 
   bool is_empty() const { return ranges.empty() && conditions.empty(); }  ///< true if it selects nothing

@@ -32,7 +32,7 @@ struct SiteValues {
 };
 
 /// The clock of an instance, relative to the document's time.
-struct Clock {
+struct InstanceClock {
   double start = 0;       ///< document time at which the clock shows 0, seconds
   double speed = 1;       ///< seconds of this clock per second of the document
   bool is_local = false;  ///< true: begun by a component, and 0 until it starts; false: the document's own clock
@@ -66,7 +66,7 @@ struct Site {
   std::uint64_t individual = 0;     ///< id of the plant that the site belongs to; 0: no plant
   std::uint32_t row = kNoRow;       ///< row, from 0, of the table that placed the site or one of its ancestors
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
-  Clock clock;                                              ///< how time runs for the instance
+  InstanceClock clock;                                      ///< how time runs for the instance
   double appeared = 0;  ///< time of its clock at which it appeared, seconds; plus infinity if it has not yet appeared
   float part = 1;       ///< size of the last sibling, as a share: a count with a fraction has n - 1 + part siblings
   std::shared_ptr<const SiteValues> values{};          ///< null if no values were given

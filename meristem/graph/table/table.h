@@ -56,11 +56,11 @@ class Table {
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);
   }
-  /// Adds a number of parts: a Count or an optional one. The number is whole, unless keys or a plain number give it a
-  /// fraction.
+  /// Adds a number of parts: a PartCount or an optional one. The number is whole, unless keys or a plain number give it
+  /// a fraction.
   template <class M>
   Table&& count(std::string_view name, M P::*member, NumberRange form, std::string_view doc) && {
-    static_assert(std::is_same_v<ValueOf<M>, Count>);
+    static_assert(std::is_same_v<ValueOf<M>, PartCount>);
     form.counts = true;
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);
@@ -102,7 +102,7 @@ class Table {
     return std::move(*this);
   }
   /// Adds a direction [x, y, z] of the world with any length above 0, or "surface".
-  Table&& facing(std::string_view name, std::optional<Facing> P::*member, std::string_view doc) && {
+  Table&& facing(std::string_view name, std::optional<FacingDirection> P::*member, std::string_view doc) && {
     row(ParameterKind::facing, name, member, doc).form.fixed = true;
     return std::move(*this);
   }
@@ -152,19 +152,19 @@ class Table {
     return std::move(*this);
   }
   /// Adds an expression over `names` that is true or false.
-  Table&& condition(std::string_view name, std::optional<Condition> P::*member, std::vector<std::string> names,
+  Table&& condition(std::string_view name, std::optional<SiteCondition> P::*member, std::vector<std::string> names,
                     std::string_view doc) && {
     row(ParameterKind::condition, name, member, doc).names = std::move(names);
     return std::move(*this);
   }
   /// Adds an expression over `names` that gives a number.
-  Table&& formula(std::string_view name, std::optional<Formula> P::*member, std::vector<std::string> names,
+  Table&& formula(std::string_view name, std::optional<ParameterFormula> P::*member, std::vector<std::string> names,
                   std::string_view doc) && {
     row(ParameterKind::formula, name, member, doc).names = std::move(names);
     return std::move(*this);
   }
   /// Adds a selection of instances by number, range and condition.
-  Table&& selection(std::string_view name, std::optional<Selection> P::*member, std::string_view doc) && {
+  Table&& selection(std::string_view name, std::optional<InstanceSelection> P::*member, std::string_view doc) && {
     row(ParameterKind::selection, name, member, doc);
     return std::move(*this);
   }
@@ -201,7 +201,7 @@ class Table {
   /// Adds a list of structs of several kinds. `kinds` returns the kinds, and `nested` the table of all of them.
   template <class... Structs>
   Table&& list_of_kinds(std::string_view name, std::vector<std::variant<Structs...>> P::*member,
-                        const Kinds& (*kinds)(), const ParameterTable& (*nested)(), std::string_view doc) && {
+                        const ElementKinds& (*kinds)(), const ParameterTable& (*nested)(), std::string_view doc) && {
     holder(ParameterKind::list, name, member, nested, doc);
     table_.parameters.back().kinds = kinds;
     return std::move(*this);

@@ -33,7 +33,7 @@ void check_weight(const T& thing, const DocumentPath& path, ParameterReader& rea
   if (thing.weight == 8.5) reader.add_error(path, "too heavy for such a test");
 }
 
-std::string load(const std::string& file_path, const Limits& limits) {
+std::string load(const std::string& file_path, const SizeLimits& limits) {
   std::ifstream stream(file_path);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (text == "bad") throw InputError(Diagnostic{.message = "bad text", .file = file_path, .line = 3, .column = 4});
@@ -74,7 +74,7 @@ struct Result {
 
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
-  ParameterReader reader({}, Limits{}, {.folder = folder});
+  ParameterReader reader({}, SizeLimits{}, {.folder = folder});
   const DocumentPath top;
   result.varyings = reader.read_varying(rock_table(), &result.rock, value, DocumentPath(top, "rock"));
   result.errors = reader.take_diagnostics();
@@ -163,7 +163,7 @@ TEST(NestedTable, WhatIsFixedIsOneNumberInListsToo) {
 
 TEST(NestedTable, NothingVariesOutsideOfComponents) {
   Rock rock;
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   const DocumentPath top;
   reader.read(rock_table(), &rock, Value::Object{{"pebbles", Value::List{Value(Value::List{1, 2})}}}, top);
   ASSERT_EQ(reader.error_count(), 1U);
@@ -173,7 +173,7 @@ TEST(NestedTable, NothingVariesOutsideOfComponents) {
 
 TEST(NestedTable, RulesAreCheckedAtAnyDepth) {
   const auto errors = [](const Rock& rock) {
-    ParameterReader reader({}, Limits{});
+    ParameterReader reader({}, SizeLimits{});
     const DocumentPath top;
     rock_table().check_all(&rock, DocumentPath(top, "rock"), reader);
     std::vector<std::string> paths;

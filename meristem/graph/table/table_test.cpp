@@ -31,9 +31,9 @@ struct Flower {
   std::vector<Vec2> profile{{0, 1}, {2, 3}};
   std::vector<Vec2> side{{0, 1}, {1, -2}};
   std::vector<int> size{4, 6};
-  std::optional<Condition> where;
-  std::optional<Formula> wave;
-  std::optional<Selection> omit;
+  std::optional<SiteCondition> where;
+  std::optional<ParameterFormula> wave;
+  std::optional<InstanceSelection> omit;
   Petal petal;
   std::optional<Petal> sepal;
   std::vector<Petal> whorls{Petal{}, Petal{.length = 4, .veins = 1}};
@@ -83,7 +83,7 @@ struct Read {
 
 Read read(const Value& value, std::vector<ExpressionNames::Constant> variables = {}) {
   Read result;
-  ParameterReader reader(std::move(variables), Limits{});
+  ParameterReader reader(std::move(variables), SizeLimits{});
   const DocumentPath top;
   reader.read(flower_table(), &result.flower, value, DocumentPath(top, "flower"));
   result.errors = reader.take_diagnostics();
@@ -282,7 +282,7 @@ TEST(Table, FormulasAreNumbersOrExpressionsOverTheirNames) {
 }
 
 TEST(Table, SelectionsHoldNumbersRangesAndConditions) {
-  const Selection selection = *good("omit", Value::List{0, Value::List{3, 5}, "i % 10 == 9"}).omit;
+  const InstanceSelection selection = *good("omit", Value::List{0, Value::List{3, 5}, "i % 10 == 9"}).omit;
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t i = 0; i < 20; ++i) {
     Site site;
@@ -358,7 +358,7 @@ std::vector<Diagnostic> pair_errors(const Value& value) {
             if (pair.a > 5) reader.add_error(DocumentPath(path, "a"), "too large");
           });
   Pair pair;
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   reader.read(table, &pair, value, DocumentPath());
   return reader.take_diagnostics();
 }
@@ -399,7 +399,7 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
           .prepare([](Sum& sum, const DocumentPath&, ParameterReader&) { sum.sum = sum.a + sum.b; });
   const auto sum_of = [](const Value& value) {
     Sum sum;
-    ParameterReader reader({}, Limits{});
+    ParameterReader reader({}, SizeLimits{});
     reader.read(table, &sum, value, DocumentPath());
     return sum.sum;
   };
@@ -410,7 +410,7 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
 
 TEST(Table, TellsWhichRowsAValueGave) {
   Flower flower;
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   const DocumentPath top;
   const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"colour", "#000000"}};
   const GivenRows given = reader.read(flower_table(), &flower, value, top);
@@ -426,7 +426,7 @@ TEST(Table, CopiesTheRowsThatWereGivenAndNoOthers) {
   Flower flower, other;
   other.height = 0.25;
   other.name = "rose";
-  ParameterReader reader({}, Limits{});
+  ParameterReader reader({}, SizeLimits{});
   const DocumentPath top;
   const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"whorls", Value::List{1}}, {"where", "u > 1"}};
   reader.read(flower_table(), &flower, value, top).copy(&flower, &other);
@@ -440,7 +440,7 @@ TEST(Table, CopiesTheRowsThatWereGivenAndNoOthers) {
 }
 
 TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {
-  Limits limits;
+  SizeLimits limits;
   limits.diagnostics = 3;
   ParameterReader reader({}, limits);
   Flower flower;

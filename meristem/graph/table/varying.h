@@ -22,8 +22,8 @@ using StoreNumber = void (*)(void* member, double value);
 
 /// A range over siblings that changes with time.
 struct KeyedRange {
-  Track first;  ///< first end of the range over time
-  Track last;   ///< last end of the range over time
+  KeyTrack first;  ///< first end of the range over time
+  KeyTrack last;   ///< last end of the range over time
 };
 
 /// A parameter that differs from instance to instance or changes with time. It has a range over the siblings, keys of

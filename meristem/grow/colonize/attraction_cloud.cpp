@@ -214,14 +214,14 @@ void AttractionCloud::start_moving() {
   std::vector<MovingPoint> points;
   std::vector<CloudMotion::Cloud> clouds;
   for (const Member& member : trees_) {
-    CloudMotion::Cloud cloud{member.attraction.light, member.offset.y, 0};
+    CloudMotion::Cloud cloud{member.attraction.light, member.offset.y, 0, member.attraction.directions};
     for (std::size_t k = 0; k < member.points; ++k) {
       MovingPoint& point = points.emplace_back();
       point.position = points_[points.size() - 1];
       point.cloud = static_cast<std::uint32_t>(clouds.size());
       cloud.top = std::max(cloud.top, static_cast<double>(point.position.y) - cloud.base);
     }
-    clouds.push_back(cloud);
+    clouds.push_back(std::move(cloud));
   }
   moving_.emplace(std::move(points));
   motion_.emplace(*scene_, origin_, std::move(clouds));

@@ -25,9 +25,10 @@ struct Pull {
 
 /// The attraction parameters of a tree.
 struct Attraction {
-  double influence = 0;  ///< metres within which points pull its nodes; above 0, may be infinite
-  double kill = 0;       ///< metres within which its nodes use up points; above 0
-  LightResponse light;   ///< light response of the points that it brings
+  double influence = 0;     ///< metres within which points pull its nodes; above 0, may be infinite
+  double kill = 0;          ///< metres within which its nodes use up points; above 0
+  LightResponse light;      ///< light response of the points that it brings
+  Directions directions{};  ///< fields that may carry these points
 };
 
 /// The attraction points of all trees of a stand, which compete for them. A point belongs to the nearest node within
@@ -36,7 +37,7 @@ struct Attraction {
 /// with the light on the nodes that they pull, whichever trees these nodes belong to. A point that has moved into an
 /// obstacle is inactive while it is there. Positions in the cloud are relative to the first tree's root, which keeps
 /// precision far from the world's origin. Each tree uses positions relative to its own root.
-class AttractionCloud : public Commons {
+class AttractionCloud : public StandCommons {
  public:
   using Tree = std::uint32_t;
 

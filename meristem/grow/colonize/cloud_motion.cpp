@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves the points of each cloud by a common shift and a drift of each point, both toward brighter positions. Light is
-// computed once per node that pulls points.
+// Moves the points of each cloud by a common shift and a drift of each point, both toward brighter positions, and along
+// the fields around its tree. Light is computed once per node that pulls points.
 #include "meristem/grow/colonize/cloud_motion.h"
 
 #include <algorithm>
@@ -20,6 +20,8 @@ constexpr std::size_t kMovingPointsPerBlock = 1024;
 void CloudMotion::move(MovingPoints& points, const Progress& progress) {
   const std::vector<Pulled> pulled = pulled_nodes(points);
   if (pulled.empty()) return;
+  pulls_.assign(clouds_.size(), 0);
+  for (const Pulled& one : pulled) pulls_[one.cloud] = 1;
   seek_light(pulled, progress);
   const std::vector<DVec3> shift = shifts(pulled);
   const std::vector<double> factors = height_factors(points, shift);
@@ -53,6 +55,7 @@ std::vector<CloudMotion::Pulled> CloudMotion::pulled_nodes(const MovingPoints& p
 void CloudMotion::seek_light(std::span<const Pulled> pulled, const Progress& progress) {
   std::vector<NodeIndex> unknown;
   for (const Pulled& one : pulled) {
+    if (!clouds_[one.cloud].response.seeks_light()) continue;
     if (!nodes_[one.node].knows_light) unknown.push_back(one.node);
     nodes_[one.node].knows_light = true;
   }
@@ -80,7 +83,17 @@ DVec3 CloudMotion::displacement(const MovingPoint& point, std::span<const DVec3>
   const double drift = clouds_[point.cloud].response.drift;
   DVec3 way = shifts[point.cloud];
   if (drift != 0 && point.node != kNoNode && !point.is_inert) way += drift * nodes_[point.node].brighter;
-  return way;
+  return way + carried(point);
+}
+
+/// Returns the movement of a point along the fields at its position.
+DVec3 CloudMotion::carried(const MovingPoint& point) const {
+  const Cloud& cloud = clouds_[point.cloud];
+  if (cloud.response.field == 0 || pulls_[point.cloud] == 0) return DVec3(0);
+  const Vec3 position = origin_ + point.position;
+  const Vec3 pull =
+      cloud.directions.light_sense().given_at(position) + cloud.directions.gravity_sense().given_at(position);
+  return cloud.response.field * DVec3(pull);
 }
 
 /// Returns the scale factor for the heights of each cloud that keeps the mean height of its points, and so its top,

@@ -28,9 +28,9 @@ struct ColonizeParameters {
   double kill = 0.3;       ///< metres within which a node uses up its points; smaller: denser twigs
   int iterations = 1000;   ///< largest number of steps
   Vec3 bias{0};            ///< added to each growth direction; (0, 0.2, 0) bends all growth upward a little
-  Directions directions;   ///< only fields added to the scene's light and gravity act on growth
+  Directions directions;   ///< only fields added to the scene's light and gravity act on growth and on `light.field`
   LightResponse light;     ///< response to the light of the scene and to shade
-  Finish finish;           ///< post-processing of the finished skeleton
+  FinishOptions finish;    ///< post-processing of the finished skeleton
   PipeModel radii;         ///< radii of the finished skeleton
   TraceRequest request;    ///< parts to record: steps and points
 };
@@ -48,13 +48,13 @@ struct Seedling {
 ///
 /// Throws InputError if the stand's points exceed the limits, if a root is inside an obstacle, or if obstacles leave no
 /// points. Throws std::invalid_argument unless step, influence and kill distance are above 0 and iterations at least 0.
-/// Throws Cancelled. During growth, throws InputError if the crown is out of reach of the iterations or if the stand's
-/// nodes exceed the limits. Throws std::invalid_argument for points that are not finite.
+/// Throws Cancelled. During growth, throws InputError if the stand's nodes exceed the limits. Throws
+/// std::invalid_argument for points that are not finite.
 ///
 /// No node is inside an obstacle of the scene, and no segment passes through one. Points inside obstacles are removed.
 /// `scene` must outlive the growth and must be the same for all plants of a stand.
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component, const Progress& progress);
+                                       const SizeLimits& limits, std::string component, const Progress& progress);
 
 }  // namespace meristem

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trees among obstacles, in the light, and in the shade of other trees.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -12,6 +16,7 @@
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/scene/crown/crown_points.h"
 #include "meristem/scene/crown/solid_crowns.h"
+#include "meristem/scene/field/ready_fields.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem::colonize_light_test {
@@ -28,7 +33,7 @@ std::vector<Vec3> ball_points(Vec3 centre, double radius, std::uint64_t count, s
 std::vector<Skeleton> grow(const std::vector<std::pair<Seedling, ColonizeParameters>>& trees, const Scene& scene) {
   Stand stand;
   for (const auto& [seedling, parameters] : trees) {
-    stand.add(make_colonizer(stand, {seedling}, parameters, RandomKey(1), scene, Limits(), "tree", Progress()));
+    stand.add(make_colonizer(stand, {seedling}, parameters, RandomKey(1), scene, SizeLimits(), "tree", Progress()));
   }
   Progress progress;
   stand.grow(progress);
@@ -92,8 +97,9 @@ TEST(ColonizeAmongObstacles, NothingGrowsIntoThemOrThroughThem) {
 
 TEST(ColonizeAmongObstacles, WhatIsDoneAfterGrowthEntersThemNeither) {
   const Scene scene = beam();
-  for (const Finish finish : {Finish{}, Finish{.decimate = 10}, Finish{.decimate = 4, .subdivide = 1.5},
-                              Finish{.relax = false, .subdivide = 3}}) {
+  for (const FinishOptions finish :
+       {FinishOptions{}, FinishOptions{.decimate = 10}, FinishOptions{.decimate = 4, .subdivide = 1.5},
+        FinishOptions{.relax = false, .subdivide = 3}}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       ColonizeParameters parameters{.step = 0.05, .influence = 0.8, .kill = 0.12, .finish = finish};
       std::vector<Vec3> points = ball_points({0, 2, 0}, 1, 300, seed);
@@ -126,7 +132,7 @@ TEST(ColonizeAmongObstacles, RootsMayStandOnThem) {
 }
 
 TEST(ColonizeInShade, ItsMemoryIsLimited) {
-  Limits limits;
+  SizeLimits limits;
   limits.mesh_bytes = 100'000;
   ColonizeParameters parameters = kSmall;
   parameters.light.shade.emplace();
@@ -209,6 +215,104 @@ TEST(ColonizeInTheLight, FollowsACloudThatRunsAheadOfItsRoot) {
   ColonizeParameters parameters = kSmall;
   parameters.light.shift = 0.025;
   EXPECT_GT(grow(scene, parameters).node_count(), 300U);
+}
+
+// A tree in a wind along x. `field` is in steps.
+struct WindTrial {
+  double strength = 1;
+  double field = 0.1;
+  double gusts = 0;
+  std::uint64_t seed = 0;
+};
+
+Skeleton grow_in_wind(const WindTrial& trial) {
+  static const Scene scene;
+  const WindGusts gusts{.share = trial.gusts, .size = 0.5, .drift = 0, .key = RandomKey(trial.seed).child("gusts")};
+  const auto wind = std::make_shared<WindField>(Vec3(static_cast<float>(trial.strength), 0, 0), gusts);
+  ColonizeParameters parameters = kSmall;
+  parameters.influence = 0.6;
+  parameters.light.field = trial.field * parameters.step;
+  const Directions directions = scene.directions();
+  parameters.directions = directions.with(directions.light_sense().with(wind, true), directions.gravity_sense());
+  const Seedling seedling{Vec3(0), ball_points({0, 2, 0}, 0.9, 900, trial.seed)};
+  return std::move(grow({{seedling, parameters}}, scene)[0]);
+}
+
+Vec3 mean_position(const Skeleton& tree) {
+  DVec3 sum(0);
+  for (const Vec3 position : tree.position) sum += DVec3(position);
+  return Vec3(sum / static_cast<double>(tree.node_count()));
+}
+
+TEST(ColonizeInTheWind, TheCrownMovesWithTheWindAndItsStrength) {
+  int far = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Vec3 calm = mean_position(grow_in_wind({.strength = 0, .seed = seed}));
+    float before = 0;
+    for (const double strength : {0.2, 0.5, 1.0}) {
+      const Vec3 way = mean_position(grow_in_wind({.strength = strength, .seed = seed})) - calm;
+      EXPECT_GT(way.x, before) << seed;
+      before = way.x;
+      const bool is_along = degrees(math::atan2(static_cast<double>(std::abs(way.z)), static_cast<double>(way.x))) < 20;
+      if (strength == 1) far += way.x >= 0.15F && is_along ? 1 : 0;
+    }
+  }
+  EXPECT_GE(far, 5);
+}
+
+TEST(ColonizeInTheWind, WithoutAFieldThePointsRest) {
+  const Skeleton rest = grow_in_wind({.field = 0});
+  EXPECT_LT(std::abs(mean_position(rest).x - mean_position(grow_in_wind({.strength = 0, .field = 0})).x), 0.1F);
+}
+
+TEST(ColonizeInTheWind, IsTheSameOnAnyNumberOfThreads) {
+  const auto grown_on = [](int threads) {
+    const ThreadLimit limit(threads);
+    return grow_in_wind({.gusts = 1});
+  };
+  EXPECT_TRUE(are_same(grown_on(1), grown_on(3)));
+}
+
+// Returns the unevenness of one side of a crown: the deviation of the outermost nodes of cells across the wind from
+// those of neighbouring cells, in metres. `side` is -1 for the windward side and 1 for the leeward side.
+double raggedness(const Skeleton& tree, int side) {
+  constexpr int kCells = 9;
+  constexpr float kCell = 0.18F;
+  std::array<std::array<std::optional<float>, kCells>, kCells> outermost;
+  for (const Vec3 position : tree.position) {
+    const int row = static_cast<int>(std::floor((position.y - 2) / kCell + 0.5F * kCells));
+    const int column = static_cast<int>(std::floor(position.z / kCell + 0.5F * kCells));
+    if (row < 0 || row >= kCells || column < 0 || column >= kCells) continue;
+    std::optional<float>& cell = outermost[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    const float out = static_cast<float>(side) * position.x;
+    if (!cell || out > *cell) cell = out;
+  }
+  double sum = 0;
+  int count = 0;
+  for (std::size_t row = 2; row + 2 < kCells; ++row) {
+    for (std::size_t column = 2; column + 2 < kCells; ++column) {
+      const auto here = outermost[row][column];
+      const auto left = outermost[row][column - 1];
+      const auto right = outermost[row][column + 1];
+      const auto below = outermost[row - 1][column];
+      const auto above = outermost[row + 1][column];
+      if (!here || !left || !right || !below || !above) continue;
+      const double off = *here - 0.25 * (*left + *right + *below + *above);
+      sum += off * off;
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+TEST(ColonizeInTheWind, GustsMakeTheWindwardSideRagged) {
+  double even = 0;
+  double gusty = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    even += raggedness(grow_in_wind({.seed = seed}), -1);
+    gusty += raggedness(grow_in_wind({.gusts = 1, .seed = seed}), -1);
+  }
+  EXPECT_GT(gusty, 1.5 * even);
 }
 
 TEST(ColonizeInTheLight, TheSunlitSideOfALimitedCrownStays) {

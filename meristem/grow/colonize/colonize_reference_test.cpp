@@ -42,7 +42,8 @@ TEST(ColonizeReference, IncrementalGrowthEqualsBruteForceNodeByNode) {
     ColonizeParameters parameters{.step = 0.03, .influence = influence, .kill = 0.06, .iterations = 80};
     parameters.finish = {.decimate = 0, .relax = false, .subdivide = 0};
     Stand stand;
-    stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, key, kOpenScene, Limits(), "tree", Progress()));
+    stand.add(
+        make_colonizer(stand, {{Vec3(0), points}}, parameters, key, kOpenScene, SizeLimits(), "tree", Progress()));
     Progress progress;
     stand.grow(progress);
     const Skeleton skeleton = stand.take_skeletons(progress)[0];

@@ -18,7 +18,7 @@
 namespace meristem::colonize_test {
 
 const Scene kOpenScene;
-constexpr Finish kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
+constexpr FinishOptions kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
 
 // Points uniform in a ball of radius 0.6 around a point 0.9 m above the root. Coordinates are multiples of 2^-16 m, so
 // that they can be scaled and moved without rounding.
@@ -38,7 +38,8 @@ ColonizeParameters ball_parameters(std::uint64_t count) {
   return {.step = step, .influence = 17 * step, .kill = 2 * step, .finish = kUnfinished};
 }
 
-Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Vec3 root = Vec3(0), Limits limits = {}) {
+Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Vec3 root = Vec3(0),
+              SizeLimits limits = {}) {
   Stand stand;
   stand.add(make_colonizer(stand, {{root, std::move(points)}}, parameters, RandomKey(1), kOpenScene, limits, "tree",
                            Progress()));
@@ -47,7 +48,7 @@ Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Ve
   return stand.take_skeletons(progress)[0];
 }
 
-Skeleton grown_ball(std::uint64_t count, Finish finish = kUnfinished) {
+Skeleton grown_ball(std::uint64_t count, FinishOptions finish = kUnfinished) {
   ColonizeParameters parameters = ball_parameters(count);
   parameters.finish = finish;
   return grow(ball(count), parameters);
@@ -56,7 +57,7 @@ Skeleton grown_ball(std::uint64_t count, Finish finish = kUnfinished) {
 Skeleton evaluation_tree(std::uint64_t seed) { return grow_evaluation_tree(evaluation_cloud(seed), kOpenScene, {}); }
 
 std::size_t count_inner(const Skeleton& skeleton) {
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   std::size_t inner = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     inner += !skeleton.is_root(node) && children.of(node).size() == 1 ? 1 : 0;
@@ -66,7 +67,7 @@ std::size_t count_inner(const Skeleton& skeleton) {
 
 // Returns the mean angle between the segments to two children over all forks, in degrees.
 double mean_fork_angle_deg(const Skeleton& skeleton) {
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   double sum = 0;
   std::size_t pairs = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -82,7 +83,7 @@ double mean_fork_angle_deg(const Skeleton& skeleton) {
 }
 
 testing::AssertionResult has_no_near_siblings(const Skeleton& skeleton, double apart) {
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const auto here = children.of(node);
     for (std::size_t a = 0; a < here.size(); ++a) {
@@ -222,7 +223,7 @@ std::vector<Skeleton> two_neighbours() {
     std::vector<Vec3> points = ball(1000);
     for (Vec3& point : points) point = Vec3(x < 0 ? point.x + x : x - point.x, point.y, point.z);
     stand.add(make_colonizer(stand, {{Vec3(x, 0, 0), std::move(points)}}, ball_parameters(1000), RandomKey(1),
-                             kOpenScene, Limits(), "tree", Progress()));
+                             kOpenScene, SizeLimits(), "tree", Progress()));
   }
   Progress progress;
   stand.grow(progress);
@@ -248,12 +249,12 @@ TEST(Colonize, NeighboursShareTheGroundBetweenThem) {
 TEST(Colonize, ANeighbourFarAwayChangesNothing) {
   const Skeleton alone = grown_ball(1000);
   Stand stand;
-  stand.add(make_colonizer(stand, {{Vec3(0), ball(1000)}}, ball_parameters(1000), RandomKey(1), kOpenScene, Limits(),
-                           "tree", Progress()));
+  stand.add(make_colonizer(stand, {{Vec3(0), ball(1000)}}, ball_parameters(1000), RandomKey(1), kOpenScene,
+                           SizeLimits(), "tree", Progress()));
   std::vector<Vec3> points = ball(500);
   for (Vec3& point : points) point.x += 1000;
   stand.add(make_colonizer(stand, {{Vec3(1000, 0, 0), points}}, ball_parameters(500), RandomKey(2), kOpenScene,
-                           Limits(), "other", Progress()));
+                           SizeLimits(), "other", Progress()));
   Progress progress;
   stand.grow(progress);
   const std::vector<Skeleton> trees = stand.take_skeletons(progress);
@@ -271,7 +272,7 @@ TEST(Colonize, SeveralRootsOfOneKindMakeOneForest) {
   }
   ColonizeParameters parameters = ball_parameters(300);
   parameters.finish = {.decimate = 2, .relax = true, .subdivide = 1};
-  stand.add(make_colonizer(stand, seedlings, parameters, RandomKey(1), kOpenScene, Limits(), "grove", Progress()));
+  stand.add(make_colonizer(stand, seedlings, parameters, RandomKey(1), kOpenScene, SizeLimits(), "grove", Progress()));
   Progress progress;
   stand.grow(progress);
   const Skeleton forest = stand.take_skeletons(progress)[0];
@@ -286,7 +287,7 @@ TEST(Colonize, SeveralRootsOfOneKindMakeOneForest) {
 TEST(Colonize, ARootWithoutPointsOfItsOwnGrowsToTheNeighbours) {
   Stand stand;
   stand.add(make_colonizer(stand, {{Vec3(0), ball(1000)}, {Vec3(1, 0, 0), {}}}, ball_parameters(1000), RandomKey(1),
-                           kOpenScene, Limits(), "grove", Progress()));
+                           kOpenScene, SizeLimits(), "grove", Progress()));
   Progress progress;
   stand.grow(progress);
   const Skeleton forest = stand.take_skeletons(progress)[0];
@@ -303,7 +304,7 @@ TEST(Colonize, OrderOfPointsDoesNotMatter) {
 }
 
 TEST(Colonize, GrowsTheSameBytesOnAnyNumberOfThreads) {
-  const Finish finish{.decimate = 4, .relax = true, .subdivide = 1};
+  const FinishOptions finish{.decimate = 4, .relax = true, .subdivide = 1};
   std::vector<std::string> hashes;
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
@@ -316,7 +317,7 @@ TEST(Colonize, KeepsItsBytes) {
   // The hash of one finished tree, recorded when the step was first correct. It changes with every change of the growth
   // step, the finishing, the mathematics or the random streams. A change here changes the trees of all users and must
   // be listed in the change log.
-  const Finish finish{.decimate = 4, .relax = true, .subdivide = 1};
+  const FinishOptions finish{.decimate = 4, .relax = true, .subdivide = 1};
   EXPECT_EQ(skeleton_hash(grown_ball(1000, finish)), "d46e1ff1b0c128ce629734f8d0d64502");
 }
 
@@ -336,7 +337,8 @@ TEST(Colonize, RelaxingLowersMeanForkAnglesFromARightAngleToHalf) {
 }
 
 TEST(Colonize, FinishedTreesKeepWhatSkeletonsPromise) {
-  for (const Finish finish : {Finish{0, true, 0}, Finish{4, true, 1}, Finish{4, false, 2}, Finish{0, true, 0.4}}) {
+  for (const FinishOptions finish : {FinishOptions{0, true, 0}, FinishOptions{4, true, 1}, FinishOptions{4, false, 2},
+                                     FinishOptions{0, true, 0.4}}) {
     const Skeleton skeleton = grown_ball(1000, finish);
     EXPECT_TRUE(check_skeleton(skeleton)) << finish.decimate << " " << finish.relax << " " << finish.subdivide;
     EXPECT_GT(skeleton.node_count(), 400U);
@@ -354,17 +356,24 @@ TEST(Colonize, AStraightStemGrowsToAFarCrown) {
   }
 }
 
-TEST(Colonize, ACrownOutOfReachIsAnErrorThatNamesIterations) {
-  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 16};
-  const Diagnostic error = only_diagnostic([&] { grow({{3, 4, 0}}, parameters); });
-  EXPECT_EQ(error.path, "components.tree.iterations");
-  EXPECT_EQ(error.message,
-            "the crown is out of reach: its nearest point is 5 m from the root, 16 steps of 0.25 m before it is within "
-            "the influence distance of 1 m");
-  EXPECT_EQ(error.expected, "more than 16 iterations, a longer step, or a crown nearer to the root");
-  ColonizeParameters enough = parameters;
-  enough.iterations = 17;
-  EXPECT_EQ(grow({{3, 4, 0}}, enough).node_count(), 18U);
+TEST(Colonize, IterationsThatEndInTheTrunkGiveThePlantOfThatStep) {
+  // The point pulls from step 17 on: it is 5 m from the root, and 16 steps of 0.25 m bring it within 1 m.
+  const Skeleton whole = grow({{3, 4, 0}}, {.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 40});
+  for (const int iterations : {0, 1, 7, 16, 17}) {
+    const Skeleton young = grow({{3, 4, 0}}, {.step = 0.25, .influence = 1, .kill = 0.5, .iterations = iterations});
+    ASSERT_EQ(young.node_count(), static_cast<std::size_t>(iterations) + 1);
+    for (NodeIndex node = 0; node < young.node_count(); ++node) {
+      EXPECT_EQ(young.position[node], whole.position[node]) << iterations;
+      EXPECT_EQ(young.birth[node], whole.birth[node]) << iterations;
+    }
+  }
+}
+
+TEST(Colonize, OnlyTheStemThatIsMadeCountsAsNodes) {
+  SizeLimits limits;
+  limits.nodes = 10;
+  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 9};
+  EXPECT_EQ(grow({{3000, 4000, 0}}, parameters, Vec3(0), limits).node_count(), 10U);
 }
 
 TEST(Colonize, StemsThatStepOverTheirOnlyPointEnd) {
@@ -451,15 +460,15 @@ TEST(Colonize, IterationsBoundGrowth) {
 }
 
 TEST(Colonize, MoreNodesOrPointsThanAllowedAreErrors) {
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 200;
   EXPECT_EQ(only_diagnostic([&] { grow(ball(1000), ball_parameters(1000), Vec3(0), limits); }).path,
             "components.tree.step");
-  limits = Limits();
+  limits = SizeLimits();
   limits.points = 999;
   EXPECT_EQ(only_diagnostic([&] { grow(ball(1000), ball_parameters(1000), Vec3(0), limits); }).path,
             "components.tree.points");
-  limits = Limits();
+  limits = SizeLimits();
   limits.nodes = 10'000;
   ColonizeParameters parameters = ball_parameters(1000);
   parameters.finish.subdivide = 1e-9;
@@ -474,15 +483,15 @@ TEST(Colonize, CancelledByItsObserverStopsGrowing) {
   });
   asked = &progress;
   Stand stand;
-  stand.add(make_colonizer(stand, {{Vec3(0), ball(5000)}}, ball_parameters(5000), RandomKey(1), kOpenScene, Limits(),
-                           "tree", Progress()));
+  stand.add(make_colonizer(stand, {{Vec3(0), ball(5000)}}, ball_parameters(5000), RandomKey(1), kOpenScene,
+                           SizeLimits(), "tree", Progress()));
   EXPECT_THROW(stand.grow(progress), Cancelled);
 }
 
 TEST(Colonize, RejectsBrokenContracts) {
   const auto make = [](ColonizeParameters parameters) {
     Stand stand;
-    make_colonizer(stand, {{Vec3(0), {}}}, parameters, RandomKey(1), kOpenScene, Limits(), "tree", Progress());
+    make_colonizer(stand, {{Vec3(0), {}}}, parameters, RandomKey(1), kOpenScene, SizeLimits(), "tree", Progress());
   };
   EXPECT_THROW(make({.step = 0}), std::invalid_argument);
   EXPECT_THROW(make({.influence = -1}), std::invalid_argument);

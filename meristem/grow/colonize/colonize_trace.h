@@ -35,7 +35,7 @@ class ColonizeTrace : public GrowthTrace {
   std::vector<TracedWay> pulls(int step, const std::vector<TracedPlace>& points, const Progress& progress) const;
 
   ColonizeParameters parameters_;
-  Limits limits_;
+  SizeLimits limits_;
   std::string component_;
   std::vector<TracedTree> trees_;
   int steps_;

@@ -78,7 +78,7 @@ class Tree {
 
  private:
   static Attraction attraction(const ColonizeParameters& parameters) {
-    return {parameters.influence, parameters.kill, parameters.light};
+    return {parameters.influence, parameters.kill, parameters.light, parameters.directions};
   }
   bool start_approach();
   bool grow_toward_cloud();
@@ -119,15 +119,8 @@ bool Tree::start_approach() {
   const std::optional<Vec3> target = cloud_->nearest_point(member_);
   if (!target) return false;
   approach_ = plan_approach(*target, parameters.step, parameters.influence);
-  if (approach_.steps >= static_cast<std::uint64_t>(parameters.iterations)) {
-    species_->refuse(
-        "iterations",
-        fmt::format("the crown is out of reach: its nearest point is {:.4g} m from the root, {} steps of {:.4g} m "
-                    "before it is within the influence distance of {:.4g} m",
-                    approach_.distance, approach_.steps, parameters.step, parameters.influence),
-        fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps));
-  }
-  species_->require_nodes(approach_.steps, "step");
+  // Growth may end before the stem reaches the crown; the limit then applies to the nodes that will be made.
+  species_->require_nodes(std::min(approach_.steps, static_cast<std::uint64_t>(parameters.iterations)), "step");
   // One more step, in case rounding leaves the point just outside.
   approach_steps_left_ = approach_.steps + 1;
   return true;
@@ -210,7 +203,7 @@ void Tree::note_node(NodeIndex parent, Vec3 position) {
 class Colonizer : public Grower {
  public:
   Colonizer(Stand& stand, std::vector<Seedling> seedlings, const ColonizeParameters& parameters, RandomKey key,
-            const Scene& scene, const Limits& limits, std::string component, const Progress& progress)
+            const Scene& scene, const SizeLimits& limits, std::string component, const Progress& progress)
       : species_{parameters, scene, limits, std::move(component)}, cloud_(cloud_of(stand)) {
     leave_out_inner_points(seedlings, progress);
     if (records_points()) cloud_.keep_record();
@@ -343,7 +336,7 @@ Skeleton Colonizer::take_skeleton(Progress& progress) {
 
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component, const Progress& progress) {
+                                       const SizeLimits& limits, std::string component, const Progress& progress) {
   check_parameters(parameters);
   return std::make_unique<Colonizer>(stand, std::move(seedlings), parameters, key, scene, limits, std::move(component),
                                      progress);

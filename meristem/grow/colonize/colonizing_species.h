@@ -15,7 +15,7 @@ namespace meristem {
 struct ColonizingSpecies {
   ColonizeParameters parameters;
   const Scene& scene;
-  Limits limits;
+  SizeLimits limits;
   std::string component;
   const ShadowGrid* felt_shade = nullptr;
 

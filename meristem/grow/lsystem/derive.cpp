@@ -25,7 +25,7 @@ constexpr double kSoonEnough = 1e-9;  // relative to the time: tolerance for the
 // Interpretation modules are as old as the modules that they draw.
 constexpr Births kInherited{.all_are_inherited = true};
 
-Word axiom_word(const Grammar& grammar, const Limits& limits) {
+Word axiom_word(const Grammar& grammar, const SizeLimits& limits) {
   Word word;
   if (grammar.axiom.size() > limits.modules) {
     throw_limit("modules of an axiom", static_cast<double>(grammar.axiom.size()), limits.modules, "modules", "");
@@ -98,7 +98,7 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
 
 /// Replaces all modules whose lives end by the time `end`, and their successors, until none is left. Rules depend on
 /// neither neighbours nor random numbers, so the order does not matter.
-Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits& limits, Progress& progress) {
+Word timed_word(const Grammar& grammar, double end, RandomKey key, const SizeLimits& limits, Progress& progress) {
   const RewritePlan production(grammar, grammar.production);
   const Births births{.by_life = true, .until = end + kSoonEnough * (1 + std::abs(end))};
   require_bounded_timed_words(grammar, production, births.until, limits);
@@ -120,7 +120,7 @@ Word timed_word(const Grammar& grammar, double end, RandomKey key, const Limits&
   return word;
 }
 
-Word derived_word(const Grammar& grammar, double time, RandomKey key, const Limits& limits, Progress& progress,
+Word derived_word(const Grammar& grammar, double time, RandomKey key, const SizeLimits& limits, Progress& progress,
                   KeepBirths keep) {
   if (grammar.is_timed) return timed_word(grammar, time, key, limits, progress);
   const int steps = static_cast<int>(time);
@@ -146,7 +146,7 @@ Word derived_word(const Grammar& grammar, double time, RandomKey key, const Limi
   return word;
 }
 
-Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits,
+Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, const SizeLimits& limits,
                       Progress& progress) {
   const RewritePlan interpretation(grammar, grammar.interpretation);
   const RandomKey interpretation_key = key.child("interpretation");
@@ -177,16 +177,17 @@ Word naming_file(const Grammar& grammar, Call call) {
 
 }  // namespace
 
-Word derive(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress) {
+Word derive(const Grammar& grammar, double steps, RandomKey key, const SizeLimits& limits, Progress& progress) {
   return naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, KeepBirths::no); });
 }
 
-Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress) {
+Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const SizeLimits& limits,
+                 Progress& progress) {
   if (grammar.interpretation.rules.empty()) return word;
   return naming_file(grammar, [&] { return interpreted_word(grammar, word, key, limits, progress); });
 }
 
-Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress,
+Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const SizeLimits& limits, Progress& progress,
                   KeepBirths births) {
   Word word = naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, births); });
   if (grammar.interpretation.rules.empty()) return word;

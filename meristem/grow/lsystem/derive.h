@@ -16,16 +16,16 @@ namespace meristem {
 /// Throws InputError, with the grammar's file and the rule's line, for parameters that are not finite, endless
 /// decompositions, and lives that are not above 0. If a word would exceed the limits, throws InputError before the
 /// memory is used and names the rule that adds most. Throws Cancelled.
-Word derive(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress);
+Word derive(const Grammar& grammar, double steps, RandomKey key, const SizeLimits& limits, Progress& progress);
 
 /// Whether a word stores the step in which each module was created.
 enum class KeepBirths { no, yes };
 
 /// Returns the word for drawing: applies the grammar's interpretation rules. Throws what derive() throws.
-Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
+Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const SizeLimits& limits, Progress& progress);
 
 /// Returns interpreted(derive(...)): the word after `steps` steps for drawing.
-Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const Limits& limits, Progress& progress,
+Word derive_drawn(const Grammar& grammar, double steps, RandomKey key, const SizeLimits& limits, Progress& progress,
                   KeepBirths births = KeepBirths::no);
 
 }  // namespace meristem

@@ -62,10 +62,10 @@ int compare_words(const std::string& path) {
     Progress progress;
     const std::vector<std::size_t> lengths = entry["lengths"];
     for (std::size_t step = 0; step < lengths.size(); ++step) {
-      const Word word = derive(grammar, static_cast<int>(step), RandomKey(), Limits(), progress);
+      const Word word = derive(grammar, static_cast<int>(step), RandomKey(), SizeLimits(), progress);
       EXPECT_EQ(word.module_count(), lengths[step]) << "after " << step << " steps";
     }
-    const Word last = derive(grammar, entry["n"], RandomKey(), Limits(), progress);
+    const Word last = derive(grammar, entry["n"], RandomKey(), SizeLimits(), progress);
     EXPECT_EQ(counts_of(last, grammar.alphabet), (entry["counts"].get<std::map<std::string, int>>()));
     EXPECT_EQ(sha256(word_text(last, grammar.alphabet)), entry["sha256"]);
     ++compared;
@@ -90,9 +90,9 @@ TEST(DeriveConformance, AbopsParametricSequence) {
   const Grammar grammar = read(text);
   Progress progress;
   for (int step = 0; step < 5; ++step) {
-    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
+    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), SizeLimits(), progress), grammar.alphabet), words[step]);
   }
-  const Word fifth = derive(grammar, 5, RandomKey(), Limits(), progress);
+  const Word fifth = derive(grammar, 5, RandomKey(), SizeLimits(), progress);
   ASSERT_EQ(fifth.parameters.size(), 4u);
   EXPECT_EQ(fifth.parameters[2], 8.0 / 7);
 }
@@ -104,7 +104,7 @@ TEST(DeriveConformance, AbopsAcropetalSignal) {
   const Grammar grammar = read(text);
   Progress progress;
   for (int step = 0; step < 4; ++step) {
-    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
+    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), SizeLimits(), progress), grammar.alphabet), words[step]);
   }
 }
 
@@ -119,7 +119,7 @@ GrammarText monopodial_tree() {
 TEST(DeriveConformance, AbopsMonopodialTree) {
   const Grammar grammar = read(monopodial_tree());
   Progress progress;
-  const auto counts = counts_of(derive(grammar, 10, RandomKey(), Limits(), progress), grammar.alphabet);
+  const auto counts = counts_of(derive(grammar, 10, RandomKey(), SizeLimits(), progress), grammar.alphabet);
   const std::map<std::string, int> expected = {{"!", 1023}, {"F", 1023}, {"C", 682},  {"[", 1023},
                                                {"-", 565},  {"$", 1013}, {"]", 1023}, {"+", 448},
                                                {"B", 341},  {"A", 1},    {"&", 10},   {"/", 10}};
@@ -133,7 +133,7 @@ TEST(DeriveConformance, AbopsTernaryTree) {
                           "F(l) -> F(l*1.109)", "!(w) -> !(w*1.732)"}};
   const Grammar grammar = read(text);
   Progress progress;
-  const Word word = derive(grammar, 6, RandomKey(), Limits(), progress);
+  const Word word = derive(grammar, 6, RandomKey(), SizeLimits(), progress);
   const std::map<std::string, int> expected = {{"!", 365},  {"F", 1457}, {"/", 729}, {"[", 1092},
                                                {"&", 1092}, {"]", 1092}, {"A", 729}};
   EXPECT_EQ(counts_of(word, grammar.alphabet), expected);
@@ -145,7 +145,7 @@ TEST(DeriveConformance, WordLengthsOfTheSpruceExample) {
   Progress progress;
   const std::size_t lengths[] = {1, 4, 11, 21, 35, 55, 83};
   for (int step = 0; step < 7; ++step) {
-    EXPECT_EQ(derive(grammar, step, RandomKey(), Limits(), progress).module_count(), lengths[step]);
+    EXPECT_EQ(derive(grammar, step, RandomKey(), SizeLimits(), progress).module_count(), lengths[step]);
   }
 }
 

@@ -156,7 +156,7 @@ TEST(DeriveReference, AgreesWithAPlainRewritingOfRandomGrammars) {
       const std::string before = word;
       word = rewritten(plain, before);
       Progress progress;
-      ASSERT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), word)
+      ASSERT_EQ(word_text(derive(grammar, step, RandomKey(), SizeLimits(), progress), grammar.alphabet), word)
           << "seed " << seed << ", step " << step << ", from " << before << " by " << testing::PrintToString(text.rules)
           << " ignoring " << plain.ignored;
       if (word == before) break;

@@ -16,10 +16,10 @@ namespace meristem::derive_test {
 std::string derived(const GrammarText& text, int steps, std::uint64_t seed = 1) {
   const Grammar grammar = build_grammar(text);
   Progress progress;
-  return word_text(derive(grammar, steps, RandomKey(seed), Limits(), progress), grammar.alphabet);
+  return word_text(derive(grammar, steps, RandomKey(seed), SizeLimits(), progress), grammar.alphabet);
 }
 
-std::string error_of(const GrammarText& text, int steps, const Limits& limits = {}) {
+std::string error_of(const GrammarText& text, int steps, const SizeLimits& limits = {}) {
   const Grammar grammar = build_grammar(text);
   Progress progress;
   try {
@@ -122,8 +122,8 @@ TEST(Derive, DecomposesAfterEachStepUntilNoRuleApplies) {
 TEST(Derive, InterpretationLeavesTheWordAlone) {
   const Grammar grammar = build_grammar({"AB", {"A -> AB"}, "", {}, {"B -> [C]", "C -> +F"}});
   Progress progress;
-  const Word word = derive(grammar, 1, RandomKey(1), Limits(), progress);
-  EXPECT_EQ(word_text(interpreted(grammar, word, RandomKey(1), Limits(), progress), grammar.alphabet), "A[+F][+F]");
+  const Word word = derive(grammar, 1, RandomKey(1), SizeLimits(), progress);
+  EXPECT_EQ(word_text(interpreted(grammar, word, RandomKey(1), SizeLimits(), progress), grammar.alphabet), "A[+F][+F]");
   EXPECT_EQ(word_text(word, grammar.alphabet), "ABB");
 }
 
@@ -148,11 +148,11 @@ TEST(Derive, DrawsRulesInProportionToTheirWeights) {
       {"A(2)", {"A(x) : : 1 -> B", "A(x) : : x -> C", "A(x) -> D", "A(x) : : 5 -> E", "A(x) : x > 3 : 9 -> F"}});
   Progress progress;
   constexpr double kDraws = 20'000;
-  Word axiom = derive(grammar, 0, RandomKey(), Limits(), progress);
+  Word axiom = derive(grammar, 0, RandomKey(), SizeLimits(), progress);
   // The axiom repeats the module to get 20,000 modules.
   Grammar many = grammar;
   many.axiom.assign(static_cast<std::size_t>(kDraws), grammar.axiom.front());
-  const Word word = derive(many, 1, RandomKey(7), Limits(), progress);
+  const Word word = derive(many, 1, RandomKey(7), SizeLimits(), progress);
   double chi_square = 0;
   for (const auto& [symbol, share] : {std::pair{"B", 0.125}, {"C", 0.25}, {"E", 0.625}}) {
     const auto found =
@@ -170,7 +170,7 @@ TEST(Derive, NumbersOfOneModuleAreIndependent) {
                                          {"A : : 1 -> B(rand(),rand())",  //
                                           "A : : 1 -> C(rand(),rand())"}});
   Progress progress;
-  const Word word = derive(grammar, 1, RandomKey(3), Limits(), progress);
+  const Word word = derive(grammar, 1, RandomKey(3), SizeLimits(), progress);
   const LetterIndex b = grammar.alphabet.find("B", 2);
   double sum[2] = {0, 0};
   double count[2] = {0, 0};
@@ -195,7 +195,7 @@ TEST(Derive, TheWordDependsOnTheSeedAndNotOnThreads) {
   const auto grown = [&](int threads, std::uint64_t seed) {
     const ThreadLimit limit(threads);
     Progress progress;
-    return derive(grammar, 15, RandomKey(seed), Limits(), progress);
+    return derive(grammar, 15, RandomKey(seed), SizeLimits(), progress);
   };
   const Word word = grown(1, 5);
   ASSERT_GT(word.module_count(), 100'000u);
@@ -220,7 +220,7 @@ TEST(Derive, RefusesWeightsThatAreNone) {
 TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
   // The next step would need 200 GB.
   const GrammarText text{"A", {"B -> BB", "A -> " + std::string(1000, 'A')}};
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 1'000'000;
   const std::string error = error_of(text, 5, limits);
   EXPECT_TRUE(has(error, "1000000000 modules of a word are too many")) << error;
@@ -230,7 +230,7 @@ TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
 }
 
 TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 200'000'000;
   Progress progress;
   progress.cancel();  // a derivation that starts then throws Cancelled
@@ -253,13 +253,13 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
 }
 
 TEST(Derive, TellsOfAnAxiomThatIsTooLong) {
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 1;
   EXPECT_TRUE(has(error_of({"AB", {"A -> B"}}, 3, limits), "2 modules of an axiom are too many"));
 }
 
 TEST(Derive, BoundsParametersToo) {
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 10;
   EXPECT_TRUE(has(error_of({"A", {"A -> B(1,2,3,4,5,6)B(1,2,3,4,5,6)"}}, 1, limits), "12 parameters of a word"));
 }
@@ -273,7 +273,7 @@ TEST(Derive, StopsWhenCancelled) {
   const Grammar grammar = build_grammar({"A", {"A -> B", "B -> A"}});
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(derive(grammar, 10, RandomKey(), Limits(), progress), Cancelled);
+  EXPECT_THROW(derive(grammar, 10, RandomKey(), SizeLimits(), progress), Cancelled);
 }
 
 TEST(Derive, ReportsTheModulesDone) {
@@ -283,7 +283,7 @@ TEST(Derive, ReportsTheModulesDone) {
     EXPECT_EQ(stage, "deriving");
     shares.push_back(share);
   });
-  derive(grammar, 16, RandomKey(), Limits(), progress);
+  derive(grammar, 16, RandomKey(), SizeLimits(), progress);
   ASSERT_FALSE(shares.empty());
   EXPECT_EQ(shares.back(), 1);
 }
@@ -295,7 +295,7 @@ TEST(Derive, GoesOnWhileADecompositionMayStillBeDrawn) {
   Progress progress;
   int decomposed = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Word word = derive(grammar, 100, RandomKey(seed), Limits(), progress);
+    const Word word = derive(grammar, 100, RandomKey(seed), SizeLimits(), progress);
     if (grammar.alphabet[word.letters[0]].symbol == "B") ++decomposed;
   }
   EXPECT_EQ(decomposed, 20);
@@ -304,7 +304,7 @@ TEST(Derive, GoesOnWhileADecompositionMayStillBeDrawn) {
 TEST(Derive, RefusesConditionsWithoutAValue) {
   const Grammar grammar = build_grammar({.axiom = "A(0)", .rules = {"A(x):x/x->B"}});
   Progress progress;
-  EXPECT_THROW(derive(grammar, 1, RandomKey(1), Limits(), progress), InputError);
+  EXPECT_THROW(derive(grammar, 1, RandomKey(1), SizeLimits(), progress), InputError);
 }
 
 }  // namespace meristem::derive_test

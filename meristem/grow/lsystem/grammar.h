@@ -35,7 +35,7 @@ struct ContextModule {
 };
 
 /// `[id :] [left <] predecessor [> right] [@ life] [: condition] [: weight] -> successor`.
-struct Rule {
+struct GrammarRule {
   std::string text;                     ///< as written, for messages
   int line = 0;                         ///< line in the grammar's text, from 1
   LetterIndex predecessor = kNoLetter;  ///< letter that the rule replaces
@@ -55,7 +55,7 @@ struct Rule {
 
 /// Rules by predecessor, in the order of the text.
 struct RuleSet {
-  std::vector<Rule> rules;                            ///< in the order of the text
+  std::vector<GrammarRule> rules;                     ///< in the order of the text
   std::vector<std::vector<std::uint32_t>> of_letter;  ///< indices into `rules`, one list per letter of the alphabet
 };
 

@@ -42,7 +42,7 @@ class ReachedLetters {
 };
 
 /// Returns true if the rule applies to every module of its letter.
-bool always_applies(const Rule& rule) {
+bool always_applies(const GrammarRule& rule) {
   const bool may_fail = rule.condition && !(rule.condition->is_constant() && rule.condition->evaluate() != 0);
   return !may_fail && !rule.weight && rule.left.empty() && rule.right.empty();
 }
@@ -59,7 +59,7 @@ void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view
 }
 
 /// Warns of the first context module that can never match.
-void warn_of_missing_context(const Grammar& grammar, const Rule& rule, std::string_view place,
+void warn_of_missing_context(const Grammar& grammar, const GrammarRule& rule, std::string_view place,
                              const ReachedLetters& reached, GrammarErrors& errors) {
   for (const std::vector<ContextModule>* context : {&rule.left, &rule.right}) {
     for (const ContextModule& module : *context) {

@@ -28,12 +28,12 @@ class NumberExpressions {
 
 }  // namespace
 
-std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
+std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const SizeLimits& limits,
                                           Alphabet& alphabet) {
   // Random numbers of included words use a fixed key: an included word is a part of the grammar, not of the plant.
   const RandomKey key = RandomKey().child("include");
   Progress progress;
-  Limits bounded = limits;
+  SizeLimits bounded = limits;
   bounded.modules = std::min(limits.modules, kLongestIncludedWord);
   const Word derived = derive(included, steps, key.child("derive"), bounded, progress);
   const Word word = interpreted(included, derived, key.child("draw"), bounded, progress);

@@ -16,7 +16,7 @@ inline constexpr std::size_t kLongestIncludedWord = 1'000'000;
 
 /// Returns the interpreted word of `included` after `steps` steps, in letters of `alphabet`. Adds missing letters to
 /// `alphabet`. Throws InputError as derive() does, and std::length_error if the alphabet is full.
-std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const Limits& limits,
+std::vector<ModuleTemplate> included_word(const Grammar& included, double steps, const SizeLimits& limits,
                                           Alphabet& alphabet);
 
 }  // namespace meristem

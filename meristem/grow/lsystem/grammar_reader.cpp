@@ -106,12 +106,12 @@ class GrammarReader {
                                            const std::string& name);
   bool include(const Directive& directive, std::string_view file, LetterIndex letter, std::string_view steps);
   std::optional<int> step_count(std::string_view text);
-  void add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
+  void add_rule(GrammarRule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
 
   void finish();
   std::vector<GrammarWord> words_of(std::vector<std::string_view> pieces) const;
   void drop_identities(RuleSet& set, std::vector<std::string_view>& places) const;
-  bool is_identity(const Rule& rule) const;
+  bool is_identity(const GrammarRule& rule) const;
 
   const GrammarOptions& options_;
   Inclusions& inclusions_;
@@ -300,7 +300,8 @@ void GrammarReader::read_line(std::string_view line) {
   }
 }
 
-void GrammarReader::add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places) {
+void GrammarReader::add_rule(GrammarRule rule, std::string_view place, RuleSet& set,
+                             std::vector<std::string_view>& places) {
   set.rules.push_back(std::move(rule));
   places.push_back(place);
 }
@@ -434,7 +435,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     }
     const double own = included.is_timed ? included.time.value_or(0) : included.steps.value_or(0);
     const double count = given ? *given : own;
-    Rule rule;
+    GrammarRule rule;
     rule.text = directive.all;
     rule.line = text_.line(directive.all);
     rule.predecessor = letter;
@@ -457,7 +458,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
 
 // Checks of the whole grammar.
 
-bool GrammarReader::is_identity(const Rule& rule) const {
+bool GrammarReader::is_identity(const GrammarRule& rule) const {
   if (rule.condition || rule.life || rule.weight || !rule.left.empty() || !rule.right.empty()) return false;
   if (rule.successor.size() != 1 || rule.successor.front().letter != rule.predecessor) return false;
   const auto& parameters = rule.successor.front().parameters;
@@ -470,7 +471,7 @@ bool GrammarReader::is_identity(const Rule& rule) const {
 
 void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>& places) const {
   std::vector<std::uint32_t> count(grammar_.alphabet.size());
-  for (const Rule& rule : set.rules) ++count[rule.predecessor];
+  for (const GrammarRule& rule : set.rules) ++count[rule.predecessor];
   std::size_t kept = 0;
   for (std::size_t k = 0; k < set.rules.size(); ++k) {
     if (count[set.rules[k].predecessor] == 1 && is_identity(set.rules[k])) continue;
@@ -487,9 +488,9 @@ void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>&
 
 /// Checks that all rules of a timed grammar have lives, and that nothing depends on steps or random numbers.
 void GrammarReader::check_lives() {
-  const auto has_life = [](const Rule& rule) { return rule.life.has_value(); };
+  const auto has_life = [](const GrammarRule& rule) { return rule.life.has_value(); };
   grammar_.is_timed = std::ranges::any_of(grammar_.production.rules, has_life);
-  grammar_.asks_ages = std::ranges::any_of(grammar_.interpretation.rules, &Rule::sees_age);
+  grammar_.asks_ages = std::ranges::any_of(grammar_.interpretation.rules, &GrammarRule::sees_age);
   if (!grammar_.is_timed) {
     if (grammar_.time) errors_.add(time_place_, "'#time' in a grammar without lives", "#steps, or rules with lives");
     return;
@@ -499,7 +500,7 @@ void GrammarReader::check_lives() {
     return expression && expression->is_random();
   };
   for (std::size_t k = 0; k < grammar_.production.rules.size(); ++k) {
-    const Rule& rule = grammar_.production.rules[k];
+    const GrammarRule& rule = grammar_.production.rules[k];
     const std::string_view place = places_.production[k];
     bool is_random = is_drawn(rule.life) || is_drawn(rule.condition);
     for (const ModuleTemplate& form : rule.successor) {
@@ -552,7 +553,7 @@ std::function<std::string(const std::string&)> read_beside(const std::string& fi
   return [paths, folder = std::filesystem::path(file).parent_path()](const std::string& name) {
     const std::string path = (folder / name).string();
     if (paths != nullptr) paths->push_back(path);
-    return read_file(path, Limits().document_bytes);
+    return read_file(path, SizeLimits().document_bytes);
   };
 }
 

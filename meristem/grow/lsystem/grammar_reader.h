@@ -67,7 +67,7 @@ struct GrammarOptions {
   std::function<std::string(const std::string&)> read;
   std::vector<Diagnostic>* warnings = nullptr;  ///< receives warnings; may be null
   GrammarWords* words = nullptr;                ///< receives the words of the text; may be null
-  Limits limits;                                ///< limits of errors, of the text's bytes and of an expression's bytes
+  SizeLimits limits;                            ///< limits of errors, of the text's bytes and of an expression's bytes
 };
 
 /// Reads a grammar's text. Throws one InputError with all errors (up to the limit), each with line, column, the

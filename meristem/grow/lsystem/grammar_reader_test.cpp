@@ -42,7 +42,7 @@ std::string text_of(const std::vector<ContextModule>& modules, const Alphabet& a
 }
 
 /// Returns the parsed rule as text: "left < A/2 > right : condition : weight -> successor".
-std::string rule_text(const Grammar& grammar, const Rule& rule) {
+std::string rule_text(const Grammar& grammar, const GrammarRule& rule) {
   std::string text;
   if (!rule.left.empty()) text += text_of(rule.left, grammar.alphabet) + " < ";
   const Letter& letter = grammar.alphabet[rule.predecessor];
@@ -56,7 +56,7 @@ std::string rule_text(const Grammar& grammar, const Rule& rule) {
 
 std::vector<std::string> rule_texts(const Grammar& grammar) {
   std::vector<std::string> texts;
-  for (const Rule& rule : grammar.production.rules) texts.push_back(rule_text(grammar, rule));
+  for (const GrammarRule& rule : grammar.production.rules) texts.push_back(rule_text(grammar, rule));
   return texts;
 }
 
@@ -136,7 +136,7 @@ p2 : B(l,w) : * → !(w)F(l)[-(a0)$C(l*r2,w*wr)]C(l*r1,w*wr)
   EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "A(1,10)");
   EXPECT_EQ(rule_texts(grammar), (Texts{"A/2 -> !(w)F(l)[&(a0)B(l*r2,w*wr)]/(d)A(l*r1,w*wr)",
                                         "B/2 -> !(w)F(l)[-(a0)$C(l*r2,w*wr)]C(l*r1,w*wr)"}));
-  const Rule& rule = grammar.production.rules[0];
+  const GrammarRule& rule = grammar.production.rules[0];
   const double values[] = {2, 10};
   EXPECT_EQ(rule.successor[4].parameters[1].evaluate(values), 10 * 0.707);
   EXPECT_EQ(grammar.steps, 10);

@@ -33,7 +33,7 @@ std::size_t character_bytes(std::string_view text) {
   return length;
 }
 
-GrammarText::GrammarText(std::string_view text, std::string file, const Limits& limits) : file_(std::move(file)) {
+GrammarText::GrammarText(std::string_view text, std::string file, const SizeLimits& limits) : file_(std::move(file)) {
   const bool has_mark = text.starts_with(kByteOrderMark);
   line_starts_.push_back(has_mark ? kByteOrderMark.size() : 0);
   if (text.size() > limits.document_bytes) {

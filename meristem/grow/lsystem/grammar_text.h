@@ -24,7 +24,7 @@ class GrammarText {
  public:
   /// Replaces comments, joined line ends and the byte order mark by blanks. Throws InputError if the text is too long,
   /// is not UTF-8, or ends within a comment.
-  GrammarText(std::string_view text, std::string file, const Limits& limits);
+  GrammarText(std::string_view text, std::string file, const SizeLimits& limits);
   GrammarText(const GrammarText&) = delete;
   GrammarText& operator=(const GrammarText&) = delete;
 

@@ -73,7 +73,7 @@ class Rewriter::Lease {
   std::unique_ptr<Scratch> scratch_;
 };
 
-Rewriter::Rewriter(const Grammar& grammar, const Limits& limits, Progress& progress)
+Rewriter::Rewriter(const Grammar& grammar, const SizeLimits& limits, Progress& progress)
     : grammar_(grammar), limits_(limits), progress_(progress) {
   for (std::size_t k = 0; k < grammar.alphabet.size(); ++k) {
     arities_.push_back(grammar.alphabet[static_cast<LetterIndex>(k)].arity);
@@ -168,7 +168,7 @@ void Rewriter::require_room(const RewritePlan& plan, std::size_t modules, std::s
   std::vector<std::int64_t> added_by(added.size());
   for (const RuleChoice choice : choices_) added_by[choice] += added[choice];
   const auto max = std::max_element(added_by.begin() + 1, added_by.end());
-  const Rule& rule = *plan.rules[static_cast<std::size_t>(max - added_by.begin() - 1)].rule;
+  const GrammarRule& rule = *plan.rules[static_cast<std::size_t>(max - added_by.begin() - 1)].rule;
   throw_word_too_long(too_many_modules ? "modules of a word" : "parameters of a word",
                       static_cast<double>(too_many_modules ? modules : parameters), limit, rule);
 }

@@ -21,8 +21,8 @@
 namespace meristem {
 
 struct RewriteOutcome {
-  const Rule* rule = nullptr;  ///< the first applied rule, by position; null if nothing changed
-  bool may_change = false;     ///< true: other random numbers may apply other rules
+  const GrammarRule* rule = nullptr;  ///< the first applied rule, by position; null if nothing changed
+  bool may_change = false;            ///< true: other random numbers may apply other rules
 };
 
 /// How the births of successor modules are computed, in words that store births.
@@ -39,7 +39,7 @@ struct Births {
 class Rewriter {
  public:
   /// All three arguments must outlive this object.
-  Rewriter(const Grammar& grammar, const Limits& limits, Progress& progress);
+  Rewriter(const Grammar& grammar, const SizeLimits& limits, Progress& progress);
   ~Rewriter();
 
   /// Writes the result of rewriting `word` to `next`. Leaves `next` unchanged if nothing changes. Throws InputError and
@@ -56,7 +56,7 @@ class Rewriter {
     std::size_t modules = 0;
     std::size_t parameters = 0;
     bool may_change = false;
-    const Rule* rule = nullptr;
+    const GrammarRule* rule = nullptr;
   };
 
   void count(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end);
@@ -69,7 +69,7 @@ class Rewriter {
                         double* parameters) const;
 
   const Grammar& grammar_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   Progress& progress_;
   std::vector<std::uint16_t> arities_;
   WordColumn<RuleChoice> choices_;

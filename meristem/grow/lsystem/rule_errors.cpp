@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-void throw_rule_error(const Rule& rule, std::string message, std::string expected) {
+void throw_rule_error(const GrammarRule& rule, std::string message, std::string expected) {
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
   diagnostic.expected = std::move(expected);
@@ -20,14 +20,14 @@ void throw_rule_error(const Rule& rule, std::string message, std::string expecte
   throw InputError(diagnostic);
 }
 
-void throw_word_too_long(std::string_view what, double wanted, std::uint64_t limit, const Rule& rule) {
+void throw_word_too_long(std::string_view what, double wanted, std::uint64_t limit, const GrammarRule& rule) {
   Diagnostic diagnostic = limit_diagnostic(what, wanted, limit, "modules", "");
   diagnostic.message += fmt::format("; {} adds most", in_quotes(rule.text));
   diagnostic.line = rule.line;
   throw InputError(diagnostic);
 }
 
-void require_finite(std::span<const double> values, const Rule& rule, const RuleFormula& formula) {
+void require_finite(std::span<const double> values, const GrammarRule& rule, const RuleFormula& formula) {
   for (const double value : values) {
     if (std::isfinite(value)) continue;
     throw_rule_error(rule,
@@ -37,7 +37,7 @@ void require_finite(std::span<const double> values, const Rule& rule, const Rule
   }
 }
 
-void require_weights(std::span<const double> values, const Rule& rule, const RuleFormula& formula) {
+void require_weights(std::span<const double> values, const GrammarRule& rule, const RuleFormula& formula) {
   require_finite(values, rule, formula);
   for (const double value : values) {
     if (value >= 0) continue;

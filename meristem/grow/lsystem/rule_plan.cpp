@@ -19,7 +19,8 @@ namespace {
 
 class RulePlanner {
  public:
-  RulePlanner(const Grammar& grammar, const Rule& rule, std::uint64_t& streams) : rule_(rule), streams_(streams) {
+  RulePlanner(const Grammar& grammar, const GrammarRule& rule, std::uint64_t& streams)
+      : rule_(rule), streams_(streams) {
     const auto add_variables = [&](std::uint32_t first, std::uint32_t module, LetterIndex letter) {
       for (std::uint32_t k = 0; k < grammar.alphabet[letter].arity; ++k) {
         if (sources_.size() <= first + k) sources_.resize(first + k + 1);
@@ -101,7 +102,7 @@ class RulePlanner {
 
   static constexpr std::size_t kIsCopy = std::numeric_limits<std::size_t>::max();
 
-  const Rule& rule_;
+  const GrammarRule& rule_;
   std::uint64_t& streams_;
   std::vector<VariableSource> sources_;  // one per variable
   std::unordered_map<std::string, std::size_t> formula_of_text_;
@@ -130,7 +131,7 @@ RewritePlan::RewritePlan(const Grammar& grammar, const RuleSet& rule_set)
   std::uint64_t streams = 0;
   added_modules.push_back(0);
   added_parameters.push_back(0);
-  for (const Rule& rule : rule_set.rules) {
+  for (const GrammarRule& rule : rule_set.rules) {
     RulePlan plan = RulePlanner(grammar, rule, streams).plan();
     plan.index = static_cast<std::uint32_t>(rules.size());
     added_modules.push_back(static_cast<std::int64_t>(plan.letters.size()) - 1);

@@ -39,7 +39,7 @@ struct RuleFormula {
 };
 
 struct RulePlan {
-  const Rule* rule = nullptr;
+  const GrammarRule* rule = nullptr;
   std::uint32_t index = 0;  ///< index in its rule set
   bool has_context = false;
   bool is_identity = false;  ///< true: the result equals the predecessor

@@ -128,7 +128,7 @@ struct RuleReader::Parts {
   std::string_view successor;
 };
 
-RuleReader::RuleReader(const GrammarText& text, GrammarErrors& errors, const Limits& limits, ModuleReader& modules,
+RuleReader::RuleReader(const GrammarText& text, GrammarErrors& errors, const SizeLimits& limits, ModuleReader& modules,
                        std::vector<ExpressionNames::Constant> constants)
     : text_(text), errors_(errors), limits_(limits), modules_(modules), constants_(std::move(constants)) {}
 
@@ -253,11 +253,11 @@ std::optional<double> RuleReader::read_constant(std::string_view text) {
 
 // Rules.
 
-std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
+std::optional<GrammarRule> RuleReader::read_rule(std::string_view line, Kind kind) {
   begin_rule();
   Parts parts;
   if (!split_rule(line, parts)) return std::nullopt;
-  Rule rule;
+  GrammarRule rule;
   rule.text = line;
   rule.line = text_.line(line);
 
@@ -287,8 +287,8 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line, Kind kind) {
   return rule;
 }
 
-/// Sets Rule::sees_age if any expression of the rule uses the age, which is its last variable.
-void RuleReader::note_age(Rule& rule) {
+/// Sets GrammarRule::sees_age if any expression of the rule uses the age, which is its last variable.
+void RuleReader::note_age(GrammarRule& rule) {
   const std::size_t age = rule.variable_count - 1;
   const auto asks = [&](const std::optional<Expression>& expression) { return expression && expression->uses(age); };
   rule.sees_age = asks(rule.condition) || asks(rule.weight);
@@ -399,7 +399,7 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
   return true;
 }
 
-bool RuleReader::read_predecessor(const Parts& parts, Rule& rule) {
+bool RuleReader::read_predecessor(const Parts& parts, GrammarRule& rule) {
   std::string_view rest = parts.predecessor;
   const auto module = modules_.next(rest);
   if (!module) return false;
@@ -465,7 +465,7 @@ bool RuleReader::name_parameters(const ModuleText& module) {
   return is_good;
 }
 
-bool RuleReader::read_life(const Parts& parts, Kind kind, Rule& rule) {
+bool RuleReader::read_life(const Parts& parts, Kind kind, GrammarRule& rule) {
   if (parts.life.empty()) return true;
   if (kind != Kind::production) {
     errors_.add(parts.life, "a life in a rule that takes no time", "lives in the rules behind #rules alone");
@@ -490,7 +490,7 @@ bool RuleReader::read_life(const Parts& parts, Kind kind, Rule& rule) {
   return true;
 }
 
-bool RuleReader::read_conditions(const Parts& parts, Rule& rule) {
+bool RuleReader::read_conditions(const Parts& parts, GrammarRule& rule) {
   bool is_good = true;
   if (!parts.condition.empty()) {
     rule.condition = read_expression(parts.condition, true);

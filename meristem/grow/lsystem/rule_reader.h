@@ -46,7 +46,7 @@ class GrammarConstants {
 
 class RuleReader {
  public:
-  RuleReader(const GrammarText& text, GrammarErrors& errors, const Limits& limits, ModuleReader& modules,
+  RuleReader(const GrammarText& text, GrammarErrors& errors, const SizeLimits& limits, ModuleReader& modules,
              std::vector<ExpressionNames::Constant> constants);
 
   GrammarConstants& constants() { return constants_; }
@@ -63,7 +63,7 @@ class RuleReader {
   };
 
   /// Returns the rule. Returns nothing after adding errors, and for rules that rewrite a bracket to itself.
-  std::optional<Rule> read_rule(std::string_view line, Kind kind);
+  std::optional<GrammarRule> read_rule(std::string_view line, Kind kind);
   /// Appends the axiom's modules. `open` lists the brackets that are not closed yet.
   void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& axiom);
   /// Returns the finite value of a constant expression, or nothing after adding errors.
@@ -77,12 +77,12 @@ class RuleReader {
   bool split_conditions(std::string_view text, Parts& parts);
   bool split_contexts(std::string_view text, Parts& parts);
 
-  bool read_predecessor(const Parts& parts, Rule& rule);
+  bool read_predecessor(const Parts& parts, GrammarRule& rule);
   bool read_context(std::string_view text, bool may_branch, std::vector<ContextModule>& context);
   bool name_parameters(const ModuleText& module);
-  bool read_conditions(const Parts& parts, Rule& rule);
-  bool read_life(const Parts& parts, Kind kind, Rule& rule);
-  static void note_age(Rule& rule);
+  bool read_conditions(const Parts& parts, GrammarRule& rule);
+  bool read_life(const Parts& parts, Kind kind, GrammarRule& rule);
+  static void note_age(GrammarRule& rule);
   bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& modules);
   std::optional<Expression> read_expression(std::string_view text, bool is_condition = false);
   void begin_rule();
@@ -90,7 +90,7 @@ class RuleReader {
 
   const GrammarText& text_;
   GrammarErrors& errors_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   ModuleReader& modules_;
   GrammarConstants constants_;
   std::vector<std::string_view>* noted_ = nullptr;

@@ -19,12 +19,12 @@ const double kGoldenRatio = (1 + std::sqrt(5.0)) / 2;
 std::string derived(const std::string& text, double time) {
   const Grammar grammar = read_grammar(text);
   Progress progress;
-  return word_text(derive(grammar, time, RandomKey(1), Limits(), progress), grammar.alphabet);
+  return word_text(derive(grammar, time, RandomKey(1), SizeLimits(), progress), grammar.alphabet);
 }
 
 Word drawn(const std::string& text, double time) {
   Progress progress;
-  return derive_drawn(read_grammar(text), time, RandomKey(1), Limits(), progress);
+  return derive_drawn(read_grammar(text), time, RandomKey(1), SizeLimits(), progress);
 }
 
 double sum_of_parameters(const Word& word) {
@@ -92,7 +92,7 @@ TEST(TimedGrammar, ACompoundLeafHasApicesByItsRecurrence) {
   const Grammar grammar = read_grammar(compound_leaf("1"));
   Progress progress;
   for (int n = 0; n < 12; ++n) {
-    const Word word = derive(grammar, n + 0.5, RandomKey(1), Limits(), progress);
+    const Word word = derive(grammar, n + 0.5, RandomKey(1), SizeLimits(), progress);
     std::uint64_t apices = 0;
     for (const auto& [symbol, count] : symbol_counts(word, grammar.alphabet)) apices += symbol == "a" ? count : 0;
     // a(n + 1) = a(n) + 2 a(n - 1).
@@ -161,7 +161,7 @@ TEST(TimedGrammar, TheSameOnAnyThreads) {
 }
 
 TEST(TimedGrammar, WordsBeyondTheLimitAreRefused) {
-  Limits limits;
+  SizeLimits limits;
   limits.modules = 1000;
   Progress progress;
   EXPECT_THROW(derive(read_grammar(compound_leaf("0.3")), 30, RandomKey(1), limits, progress), InputError);
@@ -173,7 +173,7 @@ std::string outcome(const std::string& text, double time) {
   Progress progress;
   progress.cancel();
   try {
-    derive(read_grammar(text), time, RandomKey(1), Limits(), progress);
+    derive(read_grammar(text), time, RandomKey(1), SizeLimits(), progress);
   } catch (const Cancelled&) {
     return "cancelled";
   } catch (const InputError& error) {

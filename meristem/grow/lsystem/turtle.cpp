@@ -75,7 +75,7 @@ class Turtle {
   std::uint64_t segments() const { return segments_; }
   std::uint64_t instances() const { return instances_; }
 
-  Drawing run(Progress& progress) {
+  WordDrawing run(Progress& progress) {
     make_room(segments_ + 1);
     const std::size_t count = word_.module_count();
     progress.begin("drawing", count);
@@ -425,13 +425,13 @@ class Turtle {
   std::vector<std::uint8_t> begins_branch_;         // by node
   std::vector<float> ends_;                         // by node: 1 where a branch ends
   std::size_t at_ = 0;                              // position of the current module
-  Drawing drawing_;
+  WordDrawing drawing_;
 };
 
 }  // namespace
 
-Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
-             const Limits& limits, const std::string& path, Progress& progress) {
+WordDrawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
+                 const SizeLimits& limits, const std::string& path, Progress& progress) {
   Turtle turtle(word, alphabet, parameters, start, path);
   if (turtle.segments() > limits.nodes) {
     throw_limit("nodes", static_cast<double>(turtle.segments()), limits.nodes, "nodes", path);

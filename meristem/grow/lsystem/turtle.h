@@ -54,7 +54,7 @@ struct TurtleParameters {
 
 /// The corners of a filled shape, which may be non-planar.
 struct TurtlePolygon {
-  std::uint32_t first = 0;   ///< index of the first corner in Drawing::corners
+  std::uint32_t first = 0;   ///< index of the first corner in WordDrawing::corners
   std::uint32_t count = 0;   ///< at least 3
   Frame frame;               ///< frame of the turtle at the begin of the polygon
   std::uint32_t colour = 0;  ///< number of the colour
@@ -72,7 +72,7 @@ struct TurtleSite {
 };
 
 /// The result of drawing a word.
-struct Drawing {
+struct WordDrawing {
   /// Segments that no other segment precedes begin at a root. Births equal the births of the modules, or 0. The column
   /// "end" is 1 where a ] has ended a branch, also a branch without length.
   Skeleton skeleton;
@@ -94,7 +94,7 @@ struct Drawing {
 /// Throws it also for brackets nested deeper than a million, and for positions and radii beyond a million kilometres.
 /// Throws InputError before making more nodes than the limit, or more instances (including polygons and sites). Throws
 /// Cancelled.
-Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
-             const Limits& limits, const std::string& path, Progress& progress);
+WordDrawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
+                 const SizeLimits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -22,12 +22,12 @@ using testing::HasSubstr;
 constexpr float kNear = 1e-5F;
 
 /// Draws the axiom without rules.
-Drawing drawn(const std::string& word, const TurtleParameters& parameters = {.angle = 90, .length = 1},
-              const Frame& start = {}) {
+WordDrawing drawn(const std::string& word, const TurtleParameters& parameters = {.angle = 90, .length = 1},
+                  const Frame& start = {}) {
   const Grammar grammar = read_grammar("#axiom\n" + word + "\n#rules\n");
   Progress progress;
-  const Word derived = derive(grammar, 0, RandomKey(1), Limits(), progress);
-  return draw(derived, grammar.alphabet, parameters, start, Limits(), "components.plant", progress);
+  const Word derived = derive(grammar, 0, RandomKey(1), SizeLimits(), progress);
+  return draw(derived, grammar.alphabet, parameters, start, SizeLimits(), "components.plant", progress);
 }
 
 Vec3 tip_of(const std::string& word, const TurtleParameters& parameters = {.angle = 90, .length = 1}) {
@@ -39,10 +39,10 @@ void expect_near(Vec3 found, Vec3 expected, float tolerance = kNear) {
                                                       << expected.x << " " << expected.y << " " << expected.z;
 }
 
-std::string error_of(const std::string& word, const Limits& limits = {}) {
+std::string error_of(const std::string& word, const SizeLimits& limits = {}) {
   const Grammar grammar = read_grammar("#axiom\n" + word + "\n#rules\n");
   Progress progress;
-  const Word derived = derive(grammar, 0, RandomKey(1), Limits(), progress);
+  const Word derived = derive(grammar, 0, RandomKey(1), SizeLimits(), progress);
   try {
     draw(derived, grammar.alphabet, {}, {}, limits, "components.plant", progress);
   } catch (const InputError& error) {
@@ -61,7 +61,7 @@ TEST(Turtle, BeginsUpwardWithItsLeftToTheWest) {
 }
 
 TEST(Turtle, KnowsWhichModuleDrewWhat) {
-  const Drawing drawing = drawn("F[+F]f F{.+f.+f.}~A");
+  const WordDrawing drawing = drawn("F[+F]f F{.+f.+f.}~A");
   // Nodes: the root and the tip of the first F, the tip of the second, and both nodes of the F after the gap.
   EXPECT_THAT(drawing.module_of_node, ElementsAre(0, 0, 3, 6, 6));
   ASSERT_EQ(drawing.polygons.size(), 1U);
@@ -125,12 +125,12 @@ TEST(Turtle, WhereAnAxisEndsInBranchesTheWidestThenTheStraightestGoesOn) {
 }
 
 TEST(Turtle, WidthsAreRadii) {
-  const Drawing drawing = drawn("!(0.5)F!F!F#F#(2)F", {.length = 1, .thinner = 0.5});
+  const WordDrawing drawing = drawn("!(0.5)F!F!F#F#(2)F", {.length = 1, .thinner = 0.5});
   EXPECT_THAT(drawing.skeleton.radius, ElementsAre(0.5F, 0.5F, 0.25F, 0.125F, 0.25F, 2.0F));
 }
 
 TEST(Turtle, WithoutWidthsInTheWordEachLevelDecays) {
-  const Drawing drawing = drawn("FF[FF]F", {.length = 1, .width = 1, .trunk_decay = 0.5, .branch_decay = 0.25});
+  const WordDrawing drawing = drawn("FF[FF]F", {.length = 1, .width = 1, .trunk_decay = 0.5, .branch_decay = 0.25});
   EXPECT_THAT(drawing.skeleton.radius, ElementsAre(1.0F, 0.5F, 0.25F, 0.0625F, 0.015625F, 0.125F));
 }
 
@@ -151,7 +151,7 @@ TEST(Turtle, AVerticalHeadingIsLevelAsItIs) {
 TEST(Turtle, TropismTurnsByTheTorqueAfterEachSegment) {
   // At right angles to the pull, the turn is e radians: 12.605 degrees for 0.22.
   const TurtleParameters pulled{.angle = 90, .length = 1, .elasticity = 0.22};
-  const Drawing drawing = drawn("+FF", pulled);
+  const WordDrawing drawing = drawn("+FF", pulled);
   expect_near(drawing.skeleton.position[1], {-1, 0, 0});
   const Vec3 second = drawing.skeleton.position[2] - drawing.skeleton.position[1];
   EXPECT_NEAR(math::asin(-second.y) * 180 / 3.14159265358979, 12.605, 0.001);
@@ -165,20 +165,20 @@ TEST(Turtle, TropismTurnsByTheTorqueAfterEachSegment) {
 
 TEST(Turtle, DownIsWhereTheSceneSaysForTropismAndLevels) {
   const Directions eastward(kUp, {1, 0, 0});
-  const Drawing bent = drawn("FF", {.length = 1, .directions = eastward, .elasticity = 0.5});
+  const WordDrawing bent = drawn("FF", {.length = 1, .directions = eastward, .elasticity = 0.5});
   expect_near(bent.skeleton.position[2], {0.479426F, 1.877583F, 0}, 1e-5F);
   expect_near(drawn("$^(90)F", {.length = 1, .directions = eastward}).skeleton.position.back(), {-1, 0, 0});
 }
 
 TEST(Turtle, TropismIsTheWorldsWhereverTheTurtleBegins) {
   const Frame east{rotation({0, 0, 1}, -3.14159265358979 / 2), {0, 0, 0}};
-  const Drawing drawing = drawn("FF", {.length = 1, .elasticity = 0.5}, east);
+  const WordDrawing drawing = drawn("FF", {.length = 1, .elasticity = 0.5}, east);
   EXPECT_LT(drawing.skeleton.position[2].y, -0.4F);
 }
 
 TEST(Turtle, GrowsInItsFrame) {
   Frame start{2.0F * rotation({0, 0, 1}, -3.14159265358979 / 2), {5, 1, 0}};
-  const Drawing drawing = drawn("!(0.1)F+F", {.angle = 90, .length = 1}, start);
+  const WordDrawing drawing = drawn("!(0.1)F+F", {.angle = 90, .length = 1}, start);
   expect_near(drawing.skeleton.position[0], {5, 1, 0});
   expect_near(drawing.skeleton.position[1], {7, 1, 0});
   expect_near(drawing.skeleton.position[2], {7, 3, 0});
@@ -207,8 +207,8 @@ TEST(PolarTurtle, TheShootsOfTheDichasiumStandAt45DegreesToBothSides) {
   const Grammar grammar = read_grammar("#axiom\nA\n#rules\nA -> ^^FB\nB -> C+++C---\nC -> [^F&B]\n");
   const TurtleParameters polar{.reading = TurtleParameters::Reading::polar, .angle = 45, .azimuth = 60, .length = 1};
   Progress progress;
-  const Word word = derive(grammar, 3, RandomKey(1), Limits(), progress);
-  const Skeleton plant = draw(word, grammar.alphabet, polar, {}, Limits(), "", progress).skeleton;
+  const Word word = derive(grammar, 3, RandomKey(1), SizeLimits(), progress);
+  const Skeleton plant = draw(word, grammar.alphabet, polar, {}, SizeLimits(), "", progress).skeleton;
   ASSERT_EQ(plant.node_count(), 4U);
   expect_near(plant.position[1], {0, 1, 0});
   expect_near(plant.position[2], Vec3(0, 1, 0) + Vec3(-1, 1, 0) * std::sqrt(0.5F));
@@ -223,7 +223,7 @@ TEST(PolarTurtle, ABracketMayKeepTheAngles) {
 }
 
 TEST(TurtlePolygon, HasACornerAtEachPointAndMove) {
-  const Drawing drawing = drawn("F{.f+f+f}");
+  const WordDrawing drawing = drawn("F{.f+f+f}");
   ASSERT_EQ(drawing.polygons.size(), 1U);
   EXPECT_EQ(drawing.polygons[0].count, 4U);
   expect_near(drawing.corners[0], {0, 1, 0});
@@ -234,20 +234,20 @@ TEST(TurtlePolygon, HasACornerAtEachPointAndMove) {
 }
 
 TEST(TurtlePolygon, SymbolGLeavesNone) {
-  const Drawing drawing = drawn("{.G.+g.F}");
+  const WordDrawing drawing = drawn("{.G.+g.F}");
   ASSERT_EQ(drawing.polygons.size(), 1U);
   EXPECT_EQ(drawing.polygons[0].count, 4U);
   EXPECT_EQ(drawing.skeleton.node_count(), 4U) << "F and G are drawn";
 }
 
 TEST(TurtlePolygon, OpensInABranchAndClosesBehindIt) {
-  const Drawing drawing = drawn("[+{.]f.}");
+  const WordDrawing drawing = drawn("[+{.]f.}");
   ASSERT_EQ(drawing.polygons.size(), 1U) << "the corner at the end counts twice";
   EXPECT_EQ(drawing.polygons[0].count, 3U);
 }
 
 TEST(TurtlePolygon, MayLieInAnother) {
-  const Drawing drawing = drawn("'(2){.f{.f.f.}'.f.}");
+  const WordDrawing drawing = drawn("'(2){.f{.f.f.}'.f.}");
   ASSERT_EQ(drawing.polygons.size(), 2U);
   EXPECT_EQ(drawing.polygons[1].colour, 2U);
   EXPECT_EQ(drawing.polygons[1].first, drawing.polygons[0].count);
@@ -264,7 +264,7 @@ TEST(TurtlePolygon, NeedsItsBegin) {
 }
 
 TEST(TurtleSite, StandsOnTheStem) {
-  const Drawing drawing = drawn("!(0.2)F+~K(3)F~K");
+  const WordDrawing drawing = drawn("!(0.2)F+~K(3)F~K");
   ASSERT_EQ(drawing.places.size(), 2U);
   expect_near(drawing.places[0].frame.origin, {0, 1, 0});
   expect_near(drawing.places[0].frame.heading(), {-3, 0, 0});
@@ -278,13 +278,13 @@ TEST(TurtleSite, StandsOnTheStem) {
 }
 
 TEST(Turtle, StopsAtTheLimitOfNodes) {
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 2;
   EXPECT_THAT(error_of("FFF", limits), HasSubstr("limits.nodes"));
 }
 
 TEST(Turtle, StopsAtTheLimitOfPolygonsAndPlaces) {
-  Limits limits;
+  SizeLimits limits;
   limits.instances = 2;
   EXPECT_THAT(error_of("~A{...}~A", limits), HasSubstr("limits.instances"));
 }
@@ -301,8 +301,8 @@ TEST(TurtlePolygon, DrawsTheLeavesOfTheBooksBush) {
       "#axiom\nA\n#rules\nA -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\n"
       "L -> ['''^^{-f+f+f-|-f+f+f}]\n");
   Progress progress;
-  const Word word = derive(grammar, 7, RandomKey(1), Limits(), progress);
-  const Drawing drawing = draw(word, grammar.alphabet, {.length = 1}, {}, Limits(), "", progress);
+  const Word word = derive(grammar, 7, RandomKey(1), SizeLimits(), progress);
+  const WordDrawing drawing = draw(word, grammar.alphabet, {.length = 1}, {}, SizeLimits(), "", progress);
   EXPECT_EQ(drawing.polygons.size(), 1284U);
   EXPECT_EQ(drawing.skeleton.node_count(), 3891U + 1);
   for (const TurtlePolygon& leaf : drawing.polygons) {
@@ -337,11 +337,11 @@ int compare_figures(const std::string& path) {
     }
     const Grammar grammar = read_grammar(text);
     Progress progress;
-    const Word word = derive(grammar, entry["n"].get<int>(), RandomKey(1), Limits(), progress);
-    const Word seen = interpreted(grammar, word, RandomKey(1), Limits(), progress);
-    const Skeleton skeleton =
-        draw(seen, grammar.alphabet, {.angle = entry["delta"].get<double>(), .length = 1}, {}, Limits(), "", progress)
-            .skeleton;
+    const Word word = derive(grammar, entry["n"].get<int>(), RandomKey(1), SizeLimits(), progress);
+    const Word seen = interpreted(grammar, word, RandomKey(1), SizeLimits(), progress);
+    const Skeleton skeleton = draw(seen, grammar.alphabet, {.angle = entry["delta"].get<double>(), .length = 1}, {},
+                                   SizeLimits(), "", progress)
+                                  .skeleton;
     EXPECT_TRUE(check_skeleton(skeleton)) << name;
     const nlohmann::json& expected = entry["turtle"];
     EXPECT_EQ(skeleton.node_count() - 1, expected["segments"].get<std::size_t>()) << name;
@@ -358,7 +358,7 @@ int compare_figures(const std::string& path) {
     EXPECT_NEAR(max.y, box[3].get<double>(), 1e-3) << name;
     // If a bracketed branch continues the stem, the stem is longer than the turtle's unbracketed path.
     const Vec3 end(expected["end"][0].get<float>(), expected["end"][1].get<float>(), 0);
-    const auto stem = Axes(skeleton);
+    const auto stem = SkeletonAxes(skeleton);
     const auto ends_at = [&](NodeIndex node) { return glm::length(skeleton.position[node] - end) < 1e-3F; };
     EXPECT_TRUE(std::ranges::any_of(stem.of(0), ends_at)) << name;
     ++figures;

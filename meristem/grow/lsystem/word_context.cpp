@@ -22,7 +22,7 @@ std::uint32_t take_last(std::vector<std::uint32_t>& stack) {
 
 ContextNeeds context_needs(const Grammar& grammar, const RuleSet& set) {
   ContextNeeds needs;
-  for (const Rule& rule : set.rules) {
+  for (const GrammarRule& rule : set.rules) {
     needs.left = needs.left || !rule.left.empty();
     needs.right = needs.right || !rule.right.empty();
     for (const ContextModule& module : rule.right) needs.branches = needs.branches || module.letter == grammar.open;
@@ -90,13 +90,13 @@ void WordContext::find_symbols(const Grammar& grammar, const Progress& progress)
   }
 }
 
-bool WordContext::matches(const Rule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const {
+bool WordContext::matches(const GrammarRule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const {
   matched.resize(rule.left.size() + rule.right.size());
   return matches_left(rule, position, matched.data()) &&
          matches_right(rule, position, matched.data() + rule.left.size());
 }
 
-bool WordContext::matches_left(const Rule& rule, std::uint32_t position, std::uint32_t* matched) const {
+bool WordContext::matches_left(const GrammarRule& rule, std::uint32_t position, std::uint32_t* matched) const {
   for (std::size_t k = rule.left.size(); k-- > 0;) {
     position = left_[position];
     if (position == kNoModule || letters_[position] != rule.left[k].letter) return false;
@@ -105,7 +105,7 @@ bool WordContext::matches_left(const Rule& rule, std::uint32_t position, std::ui
   return true;
 }
 
-bool WordContext::matches_right(const Rule& rule, std::uint32_t position, std::uint32_t* matched) const {
+bool WordContext::matches_right(const GrammarRule& rule, std::uint32_t position, std::uint32_t* matched) const {
   struct Branch {
     std::size_t in_rule;
     std::uint32_t in_word;

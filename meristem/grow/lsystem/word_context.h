@@ -38,14 +38,14 @@ class WordContext {
 
   /// Returns true if the module at `position` matches the rule's contexts. Then `matched` contains the positions of the
   /// left context's modules, followed by the right context's positions. Brackets have no entry.
-  bool matches(const Rule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const;
+  bool matches(const GrammarRule& rule, std::uint32_t position, std::vector<std::uint32_t>& matched) const;
 
  private:
   void find_left(const Grammar& grammar, const Progress& progress);
   void find_right(const Grammar& grammar, const Progress& progress);
   void find_symbols(const Grammar& grammar, const Progress& progress);
-  bool matches_left(const Rule& rule, std::uint32_t position, std::uint32_t* matched) const;
-  bool matches_right(const Rule& rule, std::uint32_t position, std::uint32_t* matched) const;
+  bool matches_left(const GrammarRule& rule, std::uint32_t position, std::uint32_t* matched) const;
+  bool matches_right(const GrammarRule& rule, std::uint32_t position, std::uint32_t* matched) const;
   std::uint32_t next_symbol(std::uint32_t position) const;
 
   std::span<const LetterIndex> letters_;

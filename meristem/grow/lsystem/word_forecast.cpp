@@ -75,8 +75,8 @@ double sum_of(const Counts& counts) {
 }
 
 /// Returns the rule whose successors add most modules to a word with these letters, or null if no rule adds any.
-const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
-  const Rule* longest = nullptr;
+const GrammarRule* longest_rule(const RewritePlan& production, const Counts& counts) {
+  const GrammarRule* longest = nullptr;
   double max = 0;
   for (std::size_t letter = 0; letter < counts.size(); ++letter) {
     const RuleChoice choice = production.by_letter[letter];
@@ -94,14 +94,14 @@ const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
 struct TimedLetter {
   std::optional<double> life;  // unset: no known replacement
   std::vector<LetterCount> successor;
-  const Rule* rule = nullptr;  // the rule that replaces it
+  const GrammarRule* rule = nullptr;  // the rule that replaces it
   bool stays = true;  // for letters without a known life: true if every rule keeps at least one module of the letter
 };
 
 TimedLetter timed_letter(const RewritePlan& production, LetterIndex letter) {
   const bool has_rules = letter < production.set->of_letter.size() && !production.set->of_letter[letter].empty();
   if (!has_rules) return {};
-  const Rule& first = production.set->rules[production.set->of_letter[letter].front()];
+  const GrammarRule& first = production.set->rules[production.set->of_letter[letter].front()];
   const bool is_known = first.life && first.life->is_constant() && !first.condition && !first.weight &&
                         first.left.empty() && first.right.empty();
   if (const double life = is_known ? first.life->evaluate() : 0; life > 0 && std::isfinite(life)) {
@@ -129,12 +129,12 @@ bool has_cut(const Grammar& grammar) {
   const auto cuts = [&](const ModuleTemplate& module) { return module.letter == grammar.cut; };
   if (std::ranges::any_of(grammar.axiom, cuts)) return true;
   return std::ranges::any_of(grammar.production.rules,
-                             [&](const Rule& rule) { return std::ranges::any_of(rule.successor, cuts); });
+                             [&](const GrammarRule& rule) { return std::ranges::any_of(rule.successor, cuts); });
 }
 
 }  // namespace
 
-void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const Limits& limits) {
+void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const SizeLimits& limits) {
   if (!grammar.decomposition.rules.empty() || has_cut(grammar)) return;
   const std::size_t alphabet_size = production.by_letter.size();
   std::vector<std::vector<LetterCount>> successors;
@@ -155,7 +155,7 @@ void require_bounded_words(const Grammar& grammar, const RewritePlan& production
     }
     const double modules = sum_of(next);
     if (modules > static_cast<double>(limits.modules)) {
-      const Rule* longest = longest_rule(production, counts);
+      const GrammarRule* longest = longest_rule(production, counts);
       if (longest == nullptr) return;  // the axiom is too long
       throw_word_too_long("modules of a word", modules, limits.modules, *longest);
     }
@@ -165,7 +165,7 @@ void require_bounded_words(const Grammar& grammar, const RewritePlan& production
 }
 
 void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& production, double until,
-                                 const Limits& limits) {
+                                 const SizeLimits& limits) {
   if (has_cut(grammar)) return;
   std::vector<TimedLetter> letters;
   for (std::size_t letter = 0; letter < production.by_letter.size(); ++letter) {
@@ -181,7 +181,7 @@ void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& prod
   while (!counts.living.empty() && work < kMaxWork) {
     TimedCounts next{{}, counts.resting};
     double max = 0;
-    const Rule* longest = nullptr;
+    const GrammarRule* longest = nullptr;
     for (const auto& [of, count] : counts.living) {
       const TimedLetter& dying = letters[of.second];
       const double birth = of.first + *dying.life;

@@ -13,12 +13,12 @@ namespace meristem {
 /// limits.modules. If the rules of a letter also depend on parameters, neighbours or random numbers, only the common
 /// part of all its rules is counted. The forecast is therefore never too long. It does not cover grammars that
 /// decompose or cut words, nor steps after the first few thousand.
-void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const Limits& limits);
+void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const SizeLimits& limits);
 
 /// Like require_bounded_words(), for a timed grammar that replaces modules whose lives end until the time `until`.
 /// Counts modules by letter and birth. A letter is known to be replaced only if its first rule has a constant life and
 /// no condition. For other letters, only the common part of all their rules is counted.
 void require_bounded_timed_words(const Grammar& grammar, const RewritePlan& production, double until,
-                                 const Limits& limits);
+                                 const SizeLimits& limits);
 
 }  // namespace meristem

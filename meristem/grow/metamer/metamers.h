@@ -108,7 +108,8 @@ struct Metamers {
 
   std::size_t count() const { return parent.size(); }  ///< number of metamers, the seed included
   void reserve(std::size_t metamers);                  ///< reserves memory for this number of metamers in all columns
-  /// Grows the open terminal or lateral bud of a metamer. The caller must set side and tip.
+  /// Grows the open terminal or lateral bud of a metamer. Returns the index of the new metamer. The caller must set
+  /// side and tip.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration);
 
   /// Returns the unit vector from a metamer's base to its tip; for the seed, its first growth direction.
@@ -124,7 +125,7 @@ struct Metamers {
   }
   /// Returns the key of the shoot to which the next metamer of this bud will belong.
   RandomKey key_of_shoot(MetamerIndex from, bool is_lateral) const;
-  /// Returns true if the metamer is the first of a lateral axis.
+  /// Returns true if the metamer is the first of a lateral axis. The metamer must not be cut off.
   bool begins_shoot(MetamerIndex metamer) const { return metamer != 0 && axis[metamer] != axis[parent[metamer]]; }
 
   /// Returns the axis of a shoot by name, or nothing if it does not exist.
@@ -139,8 +140,9 @@ struct Metamers {
 
   /// Cuts off a metamer with everything that it bears. It must not be the seed. The buds that had grown get the states
   /// `after`, and the parent metamer counts the lost tips. Until clear_away(), removed metamers keep their places in
-  /// all columns, no bud leads to them, and nothing may grow. Cost: proportional to what is cut off; the first call
-  /// also costs the size of the tree.
+  /// all columns, no bud leads to them, and nothing may grow. The parent of `first` is kNoNode until then, so do not
+  /// call heading(), length() or begins_shoot() with it. Cost: proportional to what is cut off; the first call also
+  /// costs the size of the tree.
   void cut_off(MetamerIndex first, const BudsLeft& after);
   /// Returns true if a metamer was cut off and has not been cleared away.
   bool is_loose(MetamerIndex metamer) const { return metamer < loose_.size() && loose_[metamer] != 0; }

@@ -114,7 +114,7 @@ class RoomSense : public BudSense, public RoomSeeker {
   bool begin_round() override { return species_.looks(round_++) || looks_again_; }
   void look_again() override { looks_again_ = true; }
 
-  void list_seekers(std::vector<Seeker>& seekers) const override {
+  void list_seekers(std::vector<SpaceSeeker>& seekers) const override {
     const BudLightModel& model = species_.parameters.light;
     const auto radius = static_cast<float>(model.perception * species_.parameters.length);
     const auto cosine = static_cast<float>(math::cos(0.5 * model.cone));
@@ -126,7 +126,7 @@ class RoomSense : public BudSense, public RoomSeeker {
     });
   }
 
-  void take_room(std::span<const Room> rooms) override { rooms_.assign(rooms.begin(), rooms.end()); }
+  void take_room(std::span<const BudRoom> rooms) override { rooms_.assign(rooms.begin(), rooms.end()); }
 
   void sense(BudLight& found, const Progress& progress) override {
     const BudLightModel& model = species_.parameters.light;
@@ -168,7 +168,7 @@ class RoomSense : public BudSense, public RoomSeeker {
   std::uint32_t volume_ = 0;
   int round_ = 0;
   bool looks_again_ = false;
-  std::vector<Room> rooms_;                // results of the competing buds, in order
+  std::vector<BudRoom> rooms_;             // results of the competing buds, in order
   std::vector<std::uint32_t> first_room_;  // by metamer
 };
 

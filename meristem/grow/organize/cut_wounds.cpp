@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/grow/organize/cut_wounds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -41,7 +42,7 @@ void CutWounds::swell(double callus, Skeleton& skeleton) const {
   }
 }
 
-void CutWounds::write(Skeleton& skeleton) const {
+void CutWounds::write(Skeleton& skeleton, std::optional<double> closure, int iteration) const {
   const auto column = [&](const char* name, float Wound::*member) {
     std::vector<float>& values = skeleton.extra[name];
     values.assign(skeleton.node_count(), 0);
@@ -52,6 +53,13 @@ void CutWounds::write(Skeleton& skeleton) const {
   column("cut_length", &Wound::length);
   column("cut_wood", &Wound::wood);
   column("cut_light", &Wound::light);
+  if (!closure) return;
+  std::vector<float>& open = skeleton.extra["wound"];
+  open.assign(skeleton.node_count(), 0);
+  for (std::size_t k = 0; k < wounds_.size(); ++k) {
+    const double closed = *closure * (iteration - static_cast<double>(wounds_[k].at));
+    open[k] = static_cast<float>(std::max(0.0, std::sqrt(wounds_[k].section / kPi) - closed));
+  }
 }
 
 }  // namespace meristem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "meristem/grow/metamer/metamers.h"
@@ -22,8 +23,16 @@ class CutWounds {
   /// halves every kCallusReach radii. Stems that are often cut back to one place therefore grow heads.
   void swell(double callus, Skeleton& skeleton) const;
   static constexpr double kCallusReach = 2;
-  /// Writes the columns of the tree's skeleton.
-  void write(Skeleton& skeleton) const;
+  /// Writes the columns of the tree's skeleton after `iteration`. `closure` is OrganizeParameters::closure.
+  void write(Skeleton& skeleton, std::optional<double> closure, int iteration) const;
+  /// Calls `visit(metamer, iteration, metamers)` for each metamer with a cut: the iteration of its last cut, and the
+  /// number of metamers that all of its cuts have removed.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t k = 0; k < wounds_.size(); ++k) {
+      if (wounds_[k].at > 0) visit(static_cast<MetamerIndex>(k), wounds_[k].at, wounds_[k].metamers);
+    }
+  }
 
  private:
   struct Wound {

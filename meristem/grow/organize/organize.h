@@ -72,10 +72,28 @@ struct Phyllotaxis {
   double jitter = radians(4);  ///< standard deviation of the direction of each new metamer and of its lateral bud
 };
 
-/// Shedding of branches without light.
-struct Shedding {
-  double below = 0;  ///< a shoot is shed if its mean light per metamer is below this value; 0: no shedding
-  int after = 3;     ///< only shoots older than this number of iterations are shed
+/// Shedding of branches without light or resource.
+struct BranchShedding {
+  double below = 0;     ///< a shoot is shed if its mean light per metamer is below this value; 0: no shedding by light
+  double resource = 0;  ///< a shoot is shed if its resource per metamer is below this value; 0: no shedding by resource
+  int after = 3;        ///< only shoots older than this number of iterations are shed
+};
+
+/// Fruits on dormant lateral buds. They take resource from the tree, and buds need resource to flower, so trees may
+/// bear every other year.
+struct FruitBearing {
+  double cost = 0.5;       ///< resource that a fruit takes from the tree; larger: less growth and fewer flowers
+  double threshold = 0.5;  ///< resource of a dormant lateral bud from which it flowers in the next iteration
+  int age = 2;             ///< iterations from the growth of a bud until it may flower
+};
+
+/// Vigorous shoots from dormant buds below large cuts.
+struct WaterShoots {
+  double threshold = 1;  ///< resource at which dormant lateral buds near a cut open
+  int cut = 5;           ///< smallest number of metamers that the cut has removed
+  int within = 4;        ///< metamers from the cut toward the root whose buds may open
+  int years = 2;         ///< iterations after the cut in which they may open
+  double up = 1;         ///< weight of straight up in the directions of such shoots
 };
 
 /// Parameters of self-organizing trees, for one plant.
@@ -95,16 +113,19 @@ struct OrganizeParameters {
   bool damage = true;              ///< true: a cut bud is damaged permanently; false: it may grow again
   double takeover = 0.5;       ///< weight of a cut terminal's direction in the first metamer of the lateral beside it
   DirectionWeights direction;  ///< directions of new metamers
-  std::optional<DirectionWeights> stem;  ///< weights of the leading stem, if different
-  Phyllotaxis phyllotaxis;               ///< directions of lateral buds
-  Shedding shedding;                     ///< branches that are shed
-  std::optional<Sag> sag;                ///< bending under load; unset: no bending
-  PipeModel radii;                       ///< radii of the finished skeleton
-  double callus = 0;                  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
-  std::vector<Operation> operations;  ///< applied in this order
-  std::vector<std::string> marks;     ///< names of the marks, by number
-  double summer = 0.5;                ///< 0 to 1: share of an iteration's growth before its summer operations
-  bool plans = false;                 ///< true: the operations of the last iteration are only planned and reported
+  std::optional<DirectionWeights> stem;     ///< weights of the leading stem, if different
+  Phyllotaxis phyllotaxis;                  ///< directions of lateral buds
+  BranchShedding shedding;                  ///< branches that are shed
+  std::optional<BranchSag> sag;             ///< bending under load; unset: no bending
+  PipeModel radii;                          ///< radii of the finished skeleton
+  std::optional<FruitBearing> bearing;           ///< fruits; unset: none
+  std::optional<WaterShoots> water_shoots;  ///< shoots below cuts; unset: buds there open like others
+  std::optional<double> closure;            ///< shrinkage of a wound's radius per iteration, metres; unset: unknown
+  double callus = 0;  ///< swelling around cuts, as a share of the cut sections; larger: thicker heads
+  std::vector<TreeOperation> operations;  ///< applied in this order
+  std::vector<std::string> marks;         ///< names of the marks, by number
+  double summer = 0.5;                    ///< 0 to 1: share of an iteration's growth before its summer operations
+  bool plans = false;                     ///< true: the operations of the last iteration are only planned and reported
   bool keeps_fallen = false;  ///< true: the skeleton also contains shed and cut shoots, with the time of their loss
   TraceRequest request;       ///< parts to record; everything except attraction points is supported
   /// Directions of light and gravity. Light fields that are not the scene's own are added to the light direction of a
@@ -113,7 +134,7 @@ struct OrganizeParameters {
 };
 
 /// The begin of one tree. Its space is a crown above its root, or all of space if null. Markers exist only in it, and
-/// shoots of the shadow model end at its surface.
+/// shoots do not leave it. With markers, a stem may grow to it from outside.
 struct OrganizeSeed {
   Frame frame;        ///< heading: the first growth direction of the stem
   CrownPointer room;  ///< relative to the root; null: all of space
@@ -134,7 +155,9 @@ struct OrganizeSeed {
 /// the node's tip, 0 for never. `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light` are
 /// the sums of everything cut off there. `marked` is 1 on shoots with any mark, and each mark has its own column, such
 /// as `mark_dead`. Skeleton::operations lists the effects of all operations. Trees that only plan also have `plan_cut`:
-/// the Operation::number that would cut the metamer off, or 0.
+/// the Operation::number that would cut the metamer off, or 0. With OrganizeParameters::closure, `wound` is the radius
+/// of the open wound in metres. With OrganizeParameters::bearing, `fruit` is 1 if the lateral bud bears in the next
+/// iteration.
 ///
 /// If an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
 /// `summer` of its metamers before the operation and the rest after it. A cut shoot grows no further, but its buds may
@@ -148,7 +171,7 @@ struct OrganizeSeed {
 /// std::invalid_argument for parameters out of range. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component);
+                                       const SizeLimits& limits, std::string component);
 
 /// Returns the unit vector toward a bud at `bud_angle` about an axis with this heading.
 Vec3 bud_side(Vec3 heading, double bud_angle);

@@ -20,11 +20,11 @@ struct NamedCut {
 
 OrganizeParameters with_cuts(OrganizeParameters parameters, const std::vector<NamedCut>& cuts) {
   for (std::size_t k = 0; k < cuts.size(); ++k) {
-    Operation& operation = parameters.operations.emplace_back();
-    operation.when = Schedule::at(cuts[k].at);
+    TreeOperation& operation = parameters.operations.emplace_back();
+    operation.when = OperationSchedule::at(cuts[k].at);
     operation.shoots = ShootChoice::label(cuts[k].shoot);
     operation.path = "components.tree.operations[" + std::to_string(k) + "]";
-    Cut cut;
+    CutOperation cut;
     cut.above = cuts[k].above;
     operation.what = std::move(cut);
   }
@@ -88,7 +88,7 @@ TEST(OrganizeCut, TakesAShootWhole) {
   ASSERT_TRUE(check_skeleton(cut));
   const NodeIndex bearer = *find(cut, 0, number);
   EXPECT_EQ(state(cut, "lateral_bud", bearer), 2);
-  EXPECT_EQ(Children(cut).of(bearer).size(), 1U);
+  EXPECT_EQ(NodeChildren(cut).of(bearer).size(), 1U);
 }
 
 TEST(OrganizeCut, DamagedBudsNeverGrow) {
@@ -116,7 +116,7 @@ TEST(OrganizeCut, ALateralBesideACutTerminalOpensAtItsThreshold) {
   const Skeleton tree = grow_organized(parameters);
   const NodeIndex stump = *find(tree, 0, 4);
   EXPECT_EQ(state(tree, "lateral_bud", stump), 1);
-  EXPECT_EQ(Axes(tree).count(), 2U);
+  EXPECT_EQ(SkeletonAxes(tree).count(), 2U);
 }
 
 TEST(OrganizeCut, ALateralThatTakesOverTurnsToWhereTheTerminalWent) {
@@ -211,7 +211,7 @@ TEST(OrganizeCut, AboveAllMetamersOfAShootIsRefused) {
   const Diagnostic found = refusal({.at = 3, .shoot = "main", .above = 500});
   EXPECT_EQ(found.path, "components.tree.operations[0].above");
   EXPECT_NE(found.message.find("after iteration 3"), std::string::npos) << found.message;
-  const NodeIndex last = static_cast<NodeIndex>(Axes(grow_organized(slim(5))).of(0).size() - 1);
+  const NodeIndex last = static_cast<NodeIndex>(SkeletonAxes(grow_organized(slim(5))).of(0).size() - 1);
   EXPECT_EQ(refusal({.at = 5, .shoot = "main", .above = static_cast<int>(last)}).path,
             "components.tree.operations[0].above");
   EXPECT_NO_THROW(

@@ -154,4 +154,39 @@ TEST(OrganizeAmongMarkers, ARootTooFarAwayIsAFault) {
   }
 }
 
+/// Grows a tree in a room above its root.
+Skeleton grow_in_room(const CrownPointer& room, std::uint64_t seed, int iterations = 12) {
+  Stand stand;
+  stand.add(make_organizer(stand, {{Frame(), room}}, among_markers(iterations), RandomKey(seed), Scene(), SizeLimits(),
+                           "tree"));
+  return std::move(grow(stand)[0]);
+}
+
+TEST(OrganizeAmongMarkers, ShootsDoNotLeaveTheRoom) {
+  const auto box = std::make_shared<BoxCrown>(Box{{-3, 0, -2}, {3, 9, 2}});
+  const auto ball = std::make_shared<EllipsoidCrown>(Vec3(0, 5, 0), Vec3(4, 5, 4));
+  for (const CrownPointer& room : {CrownPointer(box), CrownPointer(ball)}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const Skeleton tree = grow_in_room(room, seed);
+      EXPECT_GT(tree.node_count(), 40U) << seed;
+      for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+        ASSERT_TRUE(room->contains(tree.position[node])) << "seed " << seed << ", node " << node;
+      }
+    }
+  }
+}
+
+TEST(OrganizeAmongMarkers, AStemMayGrowIntoARoomAboveIt) {
+  const auto room = std::make_shared<EllipsoidCrown>(Vec3(0, 6, 0), Vec3(3, 3, 3));
+  const Skeleton tree = grow_in_room(room, 1);
+  EXPECT_GT(tree.node_count(), 30U);
+  for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+    const NodeIndex parent = tree.parent[node];
+    const bool stays = room->contains(tree.position[node]);
+    EXPECT_TRUE(stays || !room->contains(tree.position[parent])) << node;
+    if (stays) continue;
+    EXPECT_LT(room->distance(tree.position[node]), room->distance(tree.position[parent])) << node;
+  }
+}
+
 }  // namespace meristem::organize_markers_test

@@ -111,9 +111,9 @@ TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
     OrganizeParameters parameters = full(18);
     parameters.operations = {cut_above(8, "main", 9), cut_above(13, "main", 6)};
     parameters.shedding.below = 0.2;
-    parameters.sag = Sag{.stiffness = stiffness};
+    parameters.sag = BranchSag{.stiffness = stiffness};
     Stand stand;
-    const ShadowGrid& felt = stand.commons<StandSpace>().shade(form, Limits().mesh_bytes, "light.voxel");
+    const ShadowGrid& felt = stand.commons<StandSpace>().shade(form, SizeLimits().mesh_bytes, "light.voxel");
     add_organizer(stand, parameters, 1, scene);
     Progress progress;
     stand.grow(progress);
@@ -183,8 +183,8 @@ void add_colonizer(Stand& stand, const Scene& scene) {
   ColonizeParameters parameters{
       .step = 0.5, .influence = 3, .kill = 1, .finish = {.decimate = 0, .relax = false, .subdivide = 0}};
   parameters.light.shade.emplace(ShadeResponse{.bears = 0.6, .form = {.voxel = 1, .amount = 0.1, .depth = 6}});
-  stand.add(
-      make_colonizer(stand, {{Vec3(3, 0, 0), points}}, parameters, RandomKey(1), scene, Limits(), "bush", Progress()));
+  stand.add(make_colonizer(stand, {{Vec3(3, 0, 0), points}}, parameters, RandomKey(1), scene, SizeLimits(), "bush",
+                           Progress()));
 }
 
 struct Mixed {
@@ -238,7 +238,7 @@ TEST(OrganizeInAStand, MembersStepSideBySideWithTheSameBytes) {
     add_colonizer(stand, scene);
     OrganizeParameters parameters = full(12);
     parameters.shedding.below = 0.2;
-    parameters.sag = Sag{.stiffness = 0.5};
+    parameters.sag = BranchSag{.stiffness = 0.5};
     for (std::uint64_t k = 0; k < 9; ++k) add_organizer(stand, parameters, k, scene, at(2.0F * static_cast<float>(k)));
     stand.add(make_organizer(stand, {{at(-2), nullptr}, {at(-4), nullptr}, {at(-6), nullptr}}, full(12), RandomKey(1),
                              scene, {}, "row"));

@@ -15,7 +15,7 @@
 
 namespace meristem::organize_test {
 
-Diagnostic error_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {},
+Diagnostic error_of(const OrganizeParameters& parameters, const Scene& scene = {}, const SizeLimits& limits = {},
                     const Frame& seed = {}) {
   try {
     grow_organized(parameters, 1, scene, seed, limits);
@@ -136,7 +136,7 @@ TEST(Organize, ColumnsTellWhatGrew) {
 TEST(Organize, ResourceComesDownFromTheSeed) {
   const Skeleton tree = grow_organized(full(12));
   const auto& resource = tree.extra.find("resource")->second;
-  const Children children(tree);
+  const NodeChildren children(tree);
   for (NodeIndex node = 0; node < tree.node_count(); ++node) {
     float sum = 0;
     for (const NodeIndex child : children.of(node)) sum += resource[child];
@@ -166,7 +166,7 @@ TEST(Organize, ALowerLateralThresholdBranchesMore) {
   const Skeleton with = grow_organized(parameters);
   parameters.lateral_threshold = 1;
   const Skeleton without = grow_organized(parameters);
-  EXPECT_GT(Axes(without).count(), 3 * Axes(with).count());
+  EXPECT_GT(SkeletonAxes(without).count(), 3 * SkeletonAxes(with).count());
 }
 
 TEST(Organize, HigherLambdaGrowsSlenderTrees) {
@@ -249,7 +249,7 @@ TEST(Organize, WhereAShootWasShedNothingGrowsAgain) {
   const Skeleton tree = grow_organized(parameters);
   const auto& lateral = tree.extra.find("lateral_bud")->second;
   const auto& lost = tree.extra.find("shed")->second;
-  const Children children(tree);
+  const NodeChildren children(tree);
   std::size_t dead = 0;
   for (NodeIndex node = 1; node < tree.node_count(); ++node) {
     if (lateral[node] != 3) continue;
@@ -264,7 +264,7 @@ TEST(Organize, YoungShootsAreNotShed) {
   OrganizeParameters parameters = full(8);
   parameters.shedding = {.below = 1000, .after = 3};  // everything that may be shed is shed
   const Skeleton tree = grow_organized(parameters);
-  std::vector<float> began(Axes(tree).count(), 0);
+  std::vector<float> began(SkeletonAxes(tree).count(), 0);
   for (NodeIndex node = tree.node_count(); node-- > 1;) began[tree.axis[node]] = tree.birth[node];
   ASSERT_GT(began.size(), 2U);
   for (std::size_t axis = 1; axis < began.size(); ++axis) EXPECT_GE(began[axis], 8 - 3);
@@ -285,7 +285,7 @@ TEST(Organize, SheddedWoodIsRemembered) {
 TEST(Organize, ExplosionStopsAtTheLimitOfNodes) {
   OrganizeParameters parameters = organized(1000, 60);
   parameters.resource.lambda = 0.5;
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 5000;
   const Diagnostic found = error_of(parameters, {}, limits);
   EXPECT_EQ(found.path, "components.tree.resource.alpha");
@@ -294,7 +294,7 @@ TEST(Organize, ExplosionStopsAtTheLimitOfNodes) {
 
 TEST(Organize, TheLimitOfNodesCountsAllTreesOfAComponent) {
   const auto grow = [](std::uint64_t nodes) {
-    Limits limits;
+    SizeLimits limits;
     limits.nodes = nodes;
     const Scene scene;
     std::vector<OrganizeSeed> seeds(3);

@@ -21,7 +21,7 @@ struct TracedRoom {
   MarkerField vacant;                  ///< the field without any shoots
   std::vector<std::uint32_t> volumes;  ///< volume of each tree in the field
   double perception = 0;               ///< metres up to which buds see markers
-  std::uint64_t max_markers = Limits().points;
+  std::uint64_t max_markers = SizeLimits().points;
   std::string path;  ///< document path of the markers' spacing, for the error about too many markers
 };
 

@@ -13,24 +13,25 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/operation_record.h"
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 
 namespace meristem::organize_upkeep_test {
 
-OrganizeParameters with(OrganizeParameters parameters, Operation operation) {
+OrganizeParameters with(OrganizeParameters parameters, TreeOperation operation) {
   operation.path = "components.tree.operations[" + std::to_string(parameters.operations.size()) + "]";
   parameters.operations.push_back(std::move(operation));
   return parameters;
 }
 
-Operation shorten_branches(int at, bool in_summer) {
-  Operation operation;
-  operation.when = Schedule::at(at);
+TreeOperation shorten_branches(int at, bool in_summer) {
+  TreeOperation operation;
+  operation.when = OperationSchedule::at(at);
   operation.when.in_summer = in_summer;
   const std::string text = "rank == 1 && length > 2";
   operation.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
-  Cut cut;
+  CutOperation cut;
   cut.above = 2;
   operation.what = cut;
   return operation;
@@ -72,7 +73,7 @@ TEST(OrganizeSeasons, ASummerCutIsAnsweredInItsIteration) {
 TEST(OrganizeSeasons, ASummerWithoutAnythingToDoGrowsAsManyMetamers) {
   double with_summer = 0, without = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Operation nothing = shorten_branches(1, true);
+    TreeOperation nothing = shorten_branches(1, true);
     nothing.shoots.condition = Expression::compile("length > 1000", {shoot_variables(), {}});
     const auto count = [&](int from) {
       nothing.when = {.from = from, .in_summer = true};
@@ -137,12 +138,12 @@ TEST(OrganizeRecords, StandWhereTheTreeStands) {
 TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
   OrganizeParameters parameters = organized(3, 24);
   parameters.radii = {.tip_radius = 0.01, .exponent = 2, .memory = 0};
-  Operation head = cut_above(5, "main", 8);
-  Operation pollard;
+  TreeOperation head = cut_above(5, "main", 8);
+  TreeOperation pollard;
   pollard.when = {.from = 8, .every = 3};
   const std::string text = "rank >= 1";
   pollard.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
-  pollard.what = Spur{2};
+  pollard.what = SpurOperation{2};
   parameters = with(with(parameters, head), pollard);
   const Skeleton plain = grow_organized(parameters);
   parameters.callus = 0.5;
@@ -166,8 +167,8 @@ TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
 TEST(OrganizePlan, TellsWhatWouldBeDoneAndDoesNothing) {
   OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
   // The second operation sees the tree after the first one.
-  Operation second = shorten_branches(10, false);
-  Cut closer;
+  TreeOperation second = shorten_branches(10, false);
+  CutOperation closer;
   closer.above = 1;
   second.what = closer;
   const std::string text = "rank == 1 && length > 1";
@@ -185,8 +186,8 @@ TEST(OrganizePlan, TellsWhatWouldBeDoneAndDoesNothing) {
 
 TEST(OrganizePlan, KeepsWhatWasDoneBeforeAndBendsNothing) {
   OrganizeParameters parameters = with(full(10), shorten_branches(7, false));
-  Operation bend = shorten_branches(10, false);
-  bend.what = Bend{.metamers = 2, .inclination = -0.5};
+  TreeOperation bend = shorten_branches(10, false);
+  bend.what = BendOperation{.metamers = 2, .inclination = -0.5};
   parameters = with(parameters, bend);
   const Skeleton before = [&] {
     OrganizeParameters shorter = parameters;
@@ -236,8 +237,8 @@ TEST(OrganizePlan, ItsOutcomeHasTheBytesOfAGrowthThatDoesIt) {
       parameters.sag.emplace();
       parameters.shedding.below = 0.05;
       parameters.callus = 0.2;
-      Operation bend = shorten_branches(9, false);
-      bend.what = Bend{.metamers = 2, .inclination = -0.5};
+      TreeOperation bend = shorten_branches(9, false);
+      bend.what = BendOperation{.metamers = 2, .inclination = -0.5};
       parameters = with(with(parameters, bend), shorten_branches(9, false));
       const auto [planned, outcome] = planned_and_done(parameters, roots);
       const Skeleton done = grow_all(parameters, roots).first;
@@ -325,9 +326,9 @@ TEST(OrganizeSupports, EaseJitter) {
     OrganizeParameters parameters = full(16);
     parameters.direction = {.light = 0, .up = 0};
     parameters.phyllotaxis.jitter = radians(10);
-    Operation operation;
+    TreeOperation operation;
     operation.shoots = ShootChoice::leader();
-    operation.what = Support{.line = {Vec3(0), Vec3(0, 100, 0)}, .weight = weight};
+    operation.what = TrainingSupport{.line = {Vec3(0), Vec3(0, 100, 0)}, .weight = weight};
     parameters = with(parameters, operation);
     double squares = 0;
     int count = 0;
@@ -351,9 +352,9 @@ TEST(OrganizeSupports, EaseJitter) {
 }
 
 TEST(OrganizeSupports, OfTheSceneAreTheirsWhereverTheRootIs) {
-  Operation operation;
+  TreeOperation operation;
   operation.shoots = ShootChoice::leader();
-  operation.what = Support{.named = "wire", .weight = 8};
+  operation.what = TrainingSupport{.named = "wire", .weight = 8};
   const OrganizeParameters parameters = with(full(14), operation);
   Scene scene;
   scene.supports["wire"] = {Vec3(2, 0, 0), Vec3(2, 20, 0)};
@@ -373,11 +374,11 @@ TEST(OrganizeSupports, OfTheSceneAreTheirsWhereverTheRootIs) {
 }
 
 TEST(OrganizeTie, DrawsABranchTowardTheGround) {
-  Operation tie;
-  tie.when = Schedule::at(8);
+  TreeOperation tie;
+  tie.when = OperationSchedule::at(8);
   const std::string text = "rank == 1 && length > 2";
   tie.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
-  tie.what = Tie{.length = 1};
+  tie.what = TieOperation{.length = 1};
   const Skeleton free = grow_organized(full(8));
   OrganizeParameters parameters = full(8);
   parameters.radii.tip_radius = 0.01;
@@ -395,12 +396,12 @@ TEST(OrganizeTie, DrawsABranchTowardTheGround) {
 }
 
 TEST(OrganizeTie, TiesAndMarksAreTheSameOnAnyNumberOfThreads) {
-  Operation tie = shorten_branches(6, false);
+  TreeOperation tie = shorten_branches(6, false);
   tie.when = {.from = 6, .every = 2};
-  tie.what = Tie{.length = 1, .iterations = 2};
-  Operation mark = shorten_branches(5, false);
+  tie.what = TieOperation{.length = 1, .iterations = 2};
+  TreeOperation mark = shorten_branches(5, false);
   mark.when = {.from = 5};
-  mark.what = Mark{.chance = 0.5};
+  mark.what = MarkOperation{.chance = 0.5};
   OrganizeParameters parameters = with(with(full(12), tie), mark);
   parameters.radii.tip_radius = 0.01;
   parameters.marks = {"dead"};

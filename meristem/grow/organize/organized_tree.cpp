@@ -35,7 +35,7 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       root_(seed.frame.origin),
       key_(key),
       number_(number),
-      room_(species.parameters.light.kind == BudLightModel::Kind::shadow ? seed.room : nullptr),
+      room_(seed.room),
       tree_({species.scene, species.directions, root_}, space,
             Metamers(normalized_or(seed.frame.heading(), -species.directions.down(root_)),
                      normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
@@ -92,7 +92,18 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   progress.check();
   const OrganizeParameters& parameters = species_->parameters;
   const double age = std::min(1.0, static_cast<double>(iteration - 1) / parameters.maturity);
-  divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
+  iteration_ = iteration;
+  if (!parameters.bearing) {
+    divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
+    return;
+  }
+  ResourceModel model = parameters.resource;
+  crop_.begin(metamers_, iteration);
+  const double left = 1 - crop_.share_of(model.alpha0 + model.alpha * flow_.light[0], *parameters.bearing);
+  model.alpha0 *= left;
+  model.alpha *= left;
+  divide_resource(metamers_, light_, model, iteration, age, flow_, ringed(iteration));
+  crop_.choose(metamers_, flow_, *parameters.bearing, iteration);
 }
 
 /// Returns a name of a metamer's buds that does not change when other metamers are removed.
@@ -107,6 +118,7 @@ std::uint64_t OrganizedTree::plan(Flush flush) {
     const double share = flush == Flush::first ? parameters.summer : 1 - parameters.summer;
     return std::clamp(static_cast<int>(share * whole + 0.5), 1, whole);
   };
+  const std::vector<std::uint8_t> near = near_wounds();
   std::uint64_t metamers = 0;
   const auto add = [&](MetamerIndex from, bool is_lateral, double resource, double threshold) {
     if (!(resource >= threshold)) return false;
@@ -133,14 +145,31 @@ std::uint64_t OrganizedTree::plan(Flush flush) {
     const bool goes_on = terminal.is_open() && light_.terminal[metamer] > 0 &&
                          add(metamer, false, flow_.terminal(metamer), parameters.terminal_threshold);
     if (!metamers_.lateral[metamer].is_open() || !(light_.lateral[metamer] > 0)) continue;
-    const bool may_open = goes_on || !terminal.is_open() || !parameters.laterals_wait;
+    if (crop_.bears(metamer)) continue;
+    const bool is_near = !near.empty() && near[metamer] != 0 && !terminal.is_damaged();
+    const bool may_open = goes_on || !terminal.is_open() || !parameters.laterals_wait || is_near;
     // A lateral beside a cut terminal continues the axis, so it needs the terminal's threshold.
-    const double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
-    if (may_open) add(metamer, true, flow_.lateral(metamer), threshold);
+    double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
+    if (is_near) threshold = std::min(threshold, parameters.water_shoots->threshold);
+    if (may_open && add(metamer, true, flow_.lateral(metamer), threshold)) sprouts_.back().is_water_shoot = is_near;
   }
   owed_.clear();
   answering_.clear();
   return metamers;
+}
+
+/// Marks the metamers near large cuts whose lateral buds may become water shoots. Returns an empty list without such
+/// shoots.
+std::vector<std::uint8_t> OrganizedTree::near_wounds() const {
+  const std::optional<WaterShoots>& shoots = species_->parameters.water_shoots;
+  if (!shoots) return {};
+  std::vector<std::uint8_t> near(metamers_.count(), 0);
+  upkeep_.wounds.for_each([&](MetamerIndex metamer, float cut_at, float cut_metamers) {
+    if (static_cast<float>(iteration_) - cut_at > static_cast<float>(shoots->years)) return;
+    if (cut_metamers < static_cast<float>(shoots->cut)) return;
+    for (int k = 0; k <= shoots->within && metamer != 0; ++k, metamer = metamers_.parent[metamer]) near[metamer] = 1;
+  });
+  return near;
 }
 
 void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress) {
@@ -215,6 +244,7 @@ Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3
   if (is_first_of_lateral && metamers_.terminal[from].is_damaged()) {
     sum += parameters.takeover * DVec3(metamers_.heading(from));
   }
+  if (growth.sprout.is_water_shoot) sum += parameters.water_shoots->up * DVec3(straight_up);
   if (growth.tie != 0) sum += ties_.weight(growth.tie) * DVec3(ties_.way(growth.tie, metamers_.tip[from]));
   return normalized_or(Vec3(sum), bud);
 }
@@ -259,16 +289,23 @@ Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t 
 /// Returns true if no obstacle is at `to` or on the way to it and if buds can perceive and may live there. Positions
 /// are relative to the root.
 bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
-  if (!senses_->reaches(root_ + to) || (room_ && !room_->contains(to))) return false;
+  if (!senses_->reaches(root_ + to) || !stays_in_room(from, to)) return false;
   const Obstacles& obstacles = species_->scene.obstacles;
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
   return !(obstacles.cross(root_ + begin, root_ + to) || obstacles.contain(root_ + to));
 }
 
+/// Returns true unless a shoot would leave the room. With markers, a stem outside may grow toward the room.
+bool OrganizedTree::stays_in_room(Vec3 from, Vec3 to) const {
+  if (!room_ || room_->contains(to)) return true;
+  if (species_->parameters.light.kind == BudLightModel::Kind::shadow || room_->contains(from)) return false;
+  return room_->distance(to) < room_->distance(from);
+}
+
 void OrganizedTree::shed(int iteration) {
-  const Shedding& shedding = species_->parameters.shedding;
-  if (shedding.below <= 0) return;
+  const BranchShedding& shedding = species_->parameters.shedding;
+  if (shedding.below <= 0 && shedding.resource <= 0) return;
   // The light at the begin of the round is divided by the current number of metamers, including those just grown. With
   // this rule, the share of metamers kept agrees with the published values (81 % at a threshold of 0.1, 43 % at 0.3).
   std::vector<std::uint32_t> borne(metamers_.count(), 1);
@@ -277,7 +314,8 @@ void OrganizedTree::shed(int iteration) {
   bool any = false;
   for (MetamerIndex metamer = 1; metamer < flow_.light.size(); ++metamer) {
     if (!metamers_.begins_shoot(metamer) || metamers_.birth[metamer] + shedding.after >= iteration) continue;
-    if (flow_.light[metamer] >= shedding.below * borne[metamer]) continue;
+    const bool has_light = flow_.light[metamer] >= shedding.below * borne[metamer];
+    if (has_light && flow_.resource[metamer] >= shedding.resource * borne[metamer]) continue;
     gone[metamer] = 1;
     any = true;
   }
@@ -327,7 +365,12 @@ bool OrganizedTree::clear_away() {
 void OrganizedTree::forget(const std::vector<std::uint8_t>& gone) {
   if (species_->parameters.keeps_fallen) fallen_.forget(gone);
   wood_.remove(gone);
+  crop_.remove(gone);
   if (!is_pruned()) return;
+  std::erase_if(stubs_, [&](const Stub& stub) { return gone[stub.from] != 0; });
+  std::vector<MetamerIndex> before(stubs_.empty() ? 0 : gone.size());  // number of removed metamers before each
+  for (std::size_t k = 1; k < before.size(); ++k) before[k] = before[k - 1] + gone[k - 1];
+  for (Stub& stub : stubs_) stub.from -= before[stub.from];
   upkeep_.bows.remove(gone);
   if (!upkeep_.ringed.empty()) {
     upkeep_.ringed.resize(gone.size(), 0);
@@ -341,6 +384,14 @@ void OrganizedTree::forget(const std::vector<std::uint8_t>& gone) {
   erase_marked(flow_.resource, gone);
   erase_marked(flow_.to_lateral, gone);
   erase_marked(flow_.passed_back, gone);
+}
+
+/// Grows the stubs that operations have left.
+void OrganizedTree::leave_stubs() {
+  for (const Stub& stub : std::exchange(stubs_, {})) {
+    const Bud bud = (stub.is_lateral ? metamers_.lateral : metamers_.terminal)[stub.from];
+    if (!bud.is_grown()) tree_.leave_stub(stub.from, stub.is_lateral, stub.tip, stub.lost);
+  }
 }
 
 namespace {
@@ -405,14 +456,15 @@ Skeleton OrganizedTree::skeleton_of(Metamers metamers, std::vector<OperationReco
   skeleton.extra[std::string(kTerminalBudColumn)] = states(metamers.terminal);
   skeleton.extra[std::string(kLateralBudColumn)] = states(metamers.lateral);
   skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
+  if (species_->parameters.bearing) crop_.write(skeleton);
   if (is_pruned()) {
-    upkeep_.wounds.write(skeleton);
+    upkeep_.wounds.write(skeleton, species_->parameters.closure, iteration_ - 1);
     write_marks(metamers.axes, species_->parameters.marks, skeleton);
     for (OperationRecord& record : records) {
       record.position += root_;
       record.bud_position += root_;
     }
-    skeleton.operations = std::move(records);
+    skeleton.operations = OperationRecords(std::move(records));
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);

@@ -14,6 +14,7 @@
 #include "meristem/grow/metamer/metamers.h"
 #include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/bud_sense.h"
+#include "meristem/grow/organize/crop.h"
 #include "meristem/grow/organize/cut_wounds.h"
 #include "meristem/grow/organize/fallen_shoots.h"
 #include "meristem/grow/organize/species.h"
@@ -25,6 +26,7 @@
 #include "meristem/grow/prune/leads.h"
 #include "meristem/grow/prune/work.h"
 #include "meristem/grow/stand_space.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 
@@ -84,7 +86,7 @@ class OrganizedTree {
  private:
   /// Effects of operations that are not stored in the metamers.
   struct Upkeep {
-    Leads leads;
+    TreeLeads leads;
     std::vector<std::uint8_t> is_done;  // by operation
     CutWounds wounds;
     TreeBows bows;
@@ -92,11 +94,20 @@ class OrganizedTree {
     std::vector<std::uint16_t> ringed_until;  // iteration
   };
 
+  /// A stub that will stay where a metamer is cut off. Positions are relative to the root.
+  struct Stub {
+    MetamerIndex from = 0;
+    bool is_lateral = false;
+    Vec3 tip{0};
+    float lost = 0;  // tips of the removed shoot
+  };
+
   /// The whole state that operations change.
   struct State {
     StandingTree::State tree;
     ResourceFlow flow;
     Upkeep upkeep;
+    Crop crop;
     StandingWood wood;
     FallenShoots fallen;
     std::vector<TracedLoss> losses;
@@ -111,6 +122,7 @@ class OrganizedTree {
     float length = 0;  // of each metamer
     Vec3 way{0};       // direction to light or space: a unit vector, or 0
     int left = 0;      // metamers left for the second part of the iteration
+    bool is_water_shoot = false;
   };
 
   /// The growth that the first part of an iteration leaves to a shoot.
@@ -135,25 +147,28 @@ class OrganizedTree {
   std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key, double jitter) const;
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
+  bool stays_in_room(Vec3 from, Vec3 to) const;
+  std::vector<std::uint8_t> near_wounds() const;
   void shed(int iteration);
   void cut_off(MetamerIndex first, const BudsLeft& after, int iteration, const LossReason& why);
   void record_loss(MetamerIndex first, int iteration, const LossReason& why);
   void record_ways(const std::vector<Sprout>& sprouts, Flush flush);
   Skeleton skeleton_of(Metamers metamers, std::vector<OperationRecord> records, const Progress& progress) const;
   bool clear_away();
+  void leave_stubs();
   void forget(const std::vector<std::uint8_t>& gone);
   /// Returns the tree as an operation sees it in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
   void tie_shoots(int iteration);
   void operate(int iteration, bool in_summer, const Progress& progress);
   void perform(int iteration, bool in_summer, const Progress& progress);
-  State state() const { return {tree_.state(), flow_, upkeep_, wood_, fallen_, losses_, records_}; }
+  State state() const { return {tree_.state(), flow_, upkeep_, crop_, wood_, fallen_, losses_, records_}; }
   void restore(State state);
   std::uint64_t name_of_bud(MetamerIndex metamer) const;
-  void apply(const Work& work, int iteration, std::size_t operation, bool in_summer);
+  void apply(const OperationWork& work, int iteration, std::size_t operation, bool in_summer);
   /// Records the shoots whose buds may react to the planned cuts.
-  void note_answering(const Work& work);
-  void record(const Work& work, int iteration, const Operation& operation);
+  void note_answering(const OperationWork& work);
+  void record(const OperationWork& work, int iteration, const TreeOperation& operation);
   /// Records for the plan that an operation would remove a metamer and everything that it bears.
   void note_planned(MetamerIndex first, int operation);
   void ring(const Ring& ring, int iteration);
@@ -172,6 +187,8 @@ class OrganizedTree {
   BudLight light_;
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
+  Crop crop_;                    // used if the tree bears
+  int iteration_ = 0;            // of the last sense()
   StandingWood wood_;
   FallenShoots fallen_;  // used if fallen shoots are kept
   // For trees with operations only.
@@ -180,6 +197,7 @@ class OrganizedTree {
   // Shoots of the first part of the iteration, by the name of their last metamer.
   std::unordered_map<std::uint64_t, Owed> owed_;
   std::unordered_set<std::uint64_t> answering_;  // keys of the shoots cut by this summer's operations
+  std::vector<Stub> stubs_;                      // of the current operations
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
   std::optional<WoodGirth> girth_;        // before the current operations; computed on demand

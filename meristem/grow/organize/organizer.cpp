@@ -32,27 +32,28 @@ void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
           "organize: every, longest_shoot and maturity must be at least 1");
   require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length must be above 0");
-  for (const Operation& operation : parameters.operations) {
+  for (const TreeOperation& operation : parameters.operations) {
     require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations must act from iteration 1 on");
-    const Cut* const cut = std::get_if<Cut>(&operation.what);
+    const CutOperation* const cut = std::get_if<CutOperation>(&operation.what);
     require(cut == nullptr || cut->above >= 0, "organize: a cut has negative numbers");
-    require(cut == nullptr || cut->place != Cut::Place::outside || cut->outside, "organize: a cut has no body");
-    const Layers* const layers = std::get_if<Layers>(&operation.what);
+    require(cut == nullptr || cut->place != CutOperation::Place::outside || cut->outside,
+            "organize: a cut has no body");
+    const LayersOperation* const layers = std::get_if<LayersOperation>(&operation.what);
     require(layers == nullptr || (layers->metamers >= 3 && layers->count >= 1), "organize: layers are too short");
-    const Support* const support = std::get_if<Support>(&operation.what);
+    const TrainingSupport* const support = std::get_if<TrainingSupport>(&operation.what);
     require(support == nullptr || !support->named.empty() || support->line.size() >= 2,
             "organize: a support has no length");
-    const Girdle* const girdle = std::get_if<Girdle>(&operation.what);
+    const GirdleOperation* const girdle = std::get_if<GirdleOperation>(&operation.what);
     require(girdle == nullptr ||
                 (girdle->below >= 0 && girdle->iterations >= 1 && girdle->share >= 0 && girdle->share <= 1),
             "organize: a ring is out of its ranges");
-    const Bend* const bend = std::get_if<Bend>(&operation.what);
+    const BendOperation* const bend = std::get_if<BendOperation>(&operation.what);
     require(bend == nullptr || (bend->below >= 0 && bend->iterations >= 1 && bend->metamers >= 1),
             "organize: a bend is out of its ranges");
-    const Tie* const tie = std::get_if<Tie>(&operation.what);
+    const TieOperation* const tie = std::get_if<TieOperation>(&operation.what);
     require(tie == nullptr || (tie->below.value_or(1) >= 1 && tie->iterations >= 1 && tie->length >= 0),
             "organize: a tie is out of its ranges");
-    const Mark* const mark = std::get_if<Mark>(&operation.what);
+    const MarkOperation* const mark = std::get_if<MarkOperation>(&operation.what);
     require(mark == nullptr || mark->state < kMaxMarks, "organize: a mark has no such number");
   }
   require(parameters.callus >= 0, "organize: callus must not be negative");
@@ -65,7 +66,7 @@ void check_parameters(const OrganizeParameters& parameters) {
 class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
-            const Scene& scene, const Limits& limits, std::string component)
+            const Scene& scene, const SizeLimits& limits, std::string component)
       : species_{parameters, scene, limits, std::move(component), parameters.directions.value_or(scene.directions())},
         space_(stand.commons<StandSpace>()),
         has_summer_(species_.has_summer()),
@@ -271,7 +272,7 @@ class Organizer : public Grower {
 
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component) {
+                                       const SizeLimits& limits, std::string component) {
   check_parameters(parameters);
   return std::make_unique<Organizer>(stand, std::move(seeds), parameters, key, scene, limits, std::move(component));
 }

@@ -21,7 +21,7 @@ bool is_tied(const Metamers& metamers, MetamerIndex metamer) { return metamers.a
 
 }  // namespace
 
-Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
+TreePose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   const std::size_t count = metamers.count();
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii_);
 
@@ -43,7 +43,7 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   // From the root to the tips: turn each internode by the increase of its moment, together with everything that it
   // bears.
   std::vector<Mat3> turned(count, Mat3(1));
-  Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, moment_};
+  TreePose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, moment_};
   pose.moment.resize(count, Vec3(0));
   for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
     const MetamerIndex parent = metamers.parent[metamer];

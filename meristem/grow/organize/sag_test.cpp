@@ -15,7 +15,7 @@ namespace meristem::sag_test {
 
 constexpr double kGravity = 9.81;
 constexpr PipeModel kRod{.tip_radius = 0.01, .exponent = 2, .memory = 1};
-constexpr Sag kWood{.stiffness = 10, .density = 800, .leaf_mass = 0};
+constexpr BranchSag kWood{.stiffness = 10, .density = 800, .leaf_mass = 0};
 
 /// Adds a metamer of 0.1 m at the end of the rod's axis.
 void lengthen(Metamers& rod, int iteration) {
@@ -36,12 +36,12 @@ Metamers rod_of(int metamers) {
 /// Returns how far the tip of a rod has come down.
 double fall(const Metamers& rod) { return 0.1 * static_cast<double>(rod.count() - 1) * kAlongRod.y - rod.tip.back().y; }
 
-double rigidity(const Sag& sag, double radius) { return sag.stiffness * 1e9 * kPi / 4 * std::pow(radius, 4); }
+double rigidity(const BranchSag& sag, double radius) { return sag.stiffness * 1e9 * kPi / 4 * std::pow(radius, 4); }
 
 /// Returns the deflection by beam theory. Each internode turns by M L / (E I), where M is the moment about its base of
 /// everything beyond. For small angles, the lever of the weights and the fall of the turned parts both contain the
 /// cosine of the slope.
-double deflection(const Sag& sag, int metamers, double leaf_at_tip = 0) {
+double deflection(const BranchSag& sag, int metamers, double leaf_at_tip = 0) {
   constexpr double kLength = 0.1;
   const double mass = sag.density * kPi * kRod.tip_radius * kRod.tip_radius * kLength;
   double down = 0;
@@ -54,14 +54,14 @@ double deflection(const Sag& sag, int metamers, double leaf_at_tip = 0) {
 
 /// Bends the rod by its load.
 void bend(BranchLoad& load, Metamers& rod, int iteration) {
-  Pose pose = load.bend(rod, iteration);
+  TreePose pose = load.bend(rod, iteration);
   rod.tip = pose.tip;
   rod.side = pose.side;
   load.take(pose.moment);
 }
 
 /// Bends a rod under a load that is applied for the first time.
-void bend(const Sag& sag, Metamers& rod, int iteration) {
+void bend(const BranchSag& sag, Metamers& rod, int iteration) {
   BranchLoad load(sag, kRod);
   bend(load, rod, iteration);
 }
@@ -79,7 +79,7 @@ TEST(Sag, ASlenderRodApproachesTheTextbooksCantilever) {
   // The textbook value is q L^4 / (8 E I). A chain of turns at the bases differs from it by two thirds over the number
   // of links.
   const int metamers = 60;
-  const Sag stiff{.stiffness = 1000, .density = 100, .leaf_mass = 0};
+  const BranchSag stiff{.stiffness = 1000, .density = 100, .leaf_mass = 0};
   Metamers rod = rod_of(metamers);
   bend(stiff, rod, 1000);
   const double q = stiff.density * kPi * kRod.tip_radius * kRod.tip_radius * kGravity;
@@ -88,7 +88,7 @@ TEST(Sag, ASlenderRodApproachesTheTextbooksCantilever) {
 }
 
 TEST(Sag, LeavesOfTheNewestIterationWeighBesides) {
-  Sag leafy = kWood;
+  BranchSag leafy = kWood;
   leafy.leaf_mass = 0.01;
   const auto down = [&](int iteration) {
     Metamers rod = rod_of(6);
@@ -101,7 +101,7 @@ TEST(Sag, LeavesOfTheNewestIterationWeighBesides) {
 
 TEST(Sag, HalfAsStiffBendsTwiceAsFar) {
   const auto down = [](double stiffness) {
-    Sag sag = kWood;
+    BranchSag sag = kWood;
     sag.stiffness = stiffness;
     Metamers rod = rod_of(8);
     bend(sag, rod, 1000);
@@ -143,7 +143,7 @@ TEST(Sag, UprightStemsStayUpright) {
   Metamers stem(kUp, Vec3(1, 0, 0), RandomKey(1));
   for (int k = 0; k < 10; ++k) lengthen(stem, k + 1);
   const std::vector<Vec3> before = stem.tip;
-  bend(Sag{.stiffness = 0.001}, stem, 10);
+  bend(BranchSag{.stiffness = 0.001}, stem, 10);
   EXPECT_EQ(stem.tip, before);
 }
 
@@ -172,7 +172,7 @@ TEST(Sag, FollowsWhatIsRemoved) {
 Skeleton bent_tree(double stiffness) {
   OrganizeParameters parameters = full(18);
   parameters.length = 0.1;
-  parameters.sag = Sag{.stiffness = stiffness};
+  parameters.sag = BranchSag{.stiffness = stiffness};
   return grow_organized(parameters);
 }
 

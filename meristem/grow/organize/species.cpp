@@ -11,7 +11,7 @@
 namespace meristem {
 
 bool OrganizedSpecies::has_summer(std::optional<int> iteration) const {
-  return std::ranges::any_of(parameters.operations, [&](const Operation& operation) {
+  return std::ranges::any_of(parameters.operations, [&](const TreeOperation& operation) {
     return operation.when.in_summer && (!iteration || operation.when.is_in_turn(*iteration));
   });
 }

@@ -14,7 +14,7 @@ namespace meristem {
 struct OrganizedSpecies {
   OrganizeParameters parameters;
   const Scene& scene;
-  Limits limits;
+  SizeLimits limits;
   std::string component;
   Directions directions;  ///< of light and gravity at its place
 

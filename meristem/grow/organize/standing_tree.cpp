@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
+StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<BranchSag>& sag,
                            const PipeModel& radii)
     : space_(space), root_(place.root), metamers_(std::move(seed)), scene_light_(place.scene, place.root) {
   if (sag) load_.emplace(*sag, radii, place.directions, place.root);
@@ -20,7 +20,16 @@ MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteratio
   return made;
 }
 
-void StandingTree::move(Pose pose) {
+void StandingTree::leave_stub(MetamerIndex from, bool is_lateral, Vec3 tip, float lost) {
+  // A stub is as old as the wood that bears it, so it has no leaves.
+  const MetamerIndex made = grow(from, is_lateral, metamers_.birth[from], tip, metamers_.side[from]);
+  metamers_.terminal[made] = Bud::damaged();
+  metamers_.lateral[made] = Bud::dead();
+  metamers_.lost_tips[made] = lost;
+  metamers_.lost_tips[from] -= lost;
+}
+
+void StandingTree::move(TreePose pose) {
   const std::vector<Vec3> before = std::exchange(metamers_.tip, std::move(pose.tip));
   metamers_.side = std::move(pose.side);
   if (load_ && !pose.moment.empty()) load_->take(std::move(pose.moment));

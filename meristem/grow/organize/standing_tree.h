@@ -27,7 +27,7 @@ class StandingTree {
     Vec3 root{0};                  ///< world space
   };
   /// `seed` has one metamer, at the place's root. Branches bend under their load if `sag` is set.
-  StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
+  StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<BranchSag>& sag,
                const PipeModel& radii);
   StandingTree(const StandingTree&) = delete;
   StandingTree& operator=(const StandingTree&) = delete;
@@ -42,7 +42,7 @@ class StandingTree {
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side);
   /// Moves all metamers to the positions of `pose`. The result is as if they had grown there. Cost: small for metamers
   /// that do not move. Without moments, the load keeps its last moments.
-  void move(Pose pose);
+  void move(TreePose pose);
   /// Bends the branches by the increase of their load; see BranchLoad.
   void sag(int iteration);
   /// Removes metamers in two steps, like Metamers::cut_off() and Metamers::clear_away().
@@ -52,6 +52,9 @@ class StandingTree {
   void damage(MetamerIndex metamer, bool is_lateral) { close(metamer, is_lateral, Bud::damaged()); }
   /// Sets an open terminal or lateral bud to the state `closed`, damaged or dead.
   void close(MetamerIndex metamer, bool is_lateral, Bud closed);
+  /// Leaves a dead stub from the tip of `from` to `tip` where a shoot was cut off, and gives it the `lost` tips of that
+  /// shoot, so that it is as thick as the shoot was. Call it after clear_away().
+  void leave_stub(MetamerIndex from, bool is_lateral, Vec3 tip, float lost);
   /// Treats the present load as already borne: only changes of it will bend the branches.
   void settle();
   /// Ties a shoot to the line with this number; 0 unties it.

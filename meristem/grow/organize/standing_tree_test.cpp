@@ -13,7 +13,7 @@ namespace meristem::standing_tree_test {
 constexpr std::uint64_t kMuch = 1'000'000'000;
 constexpr Vec3 kRoot{3, 0.25F, -7};
 constexpr PipeModel kPipes{.tip_radius = 0.005, .exponent = 2, .memory = 1};
-constexpr Sag kSoft{.stiffness = 0.5, .density = 900, .leaf_mass = 0.01};
+constexpr BranchSag kSoft{.stiffness = 0.5, .density = 900, .leaf_mass = 0.01};
 
 /// A wall that shades some positions, and a lamp.
 Scene walled() {
@@ -25,8 +25,8 @@ Scene walled() {
 }
 
 /// Returns a random nearby position for each metamer; the seed stays at the root.
-Pose random_pose(RandomKey key, const Metamers& of) {
-  Pose pose;
+TreePose random_pose(RandomKey key, const Metamers& of) {
+  TreePose pose;
   pose.tip.resize(of.count(), Vec3(0));
   pose.side.resize(of.count(), Vec3(1, 0, 0));
   for (MetamerIndex metamer = 1; metamer < of.count(); ++metamer) {
@@ -42,8 +42,8 @@ Pose random_pose(RandomKey key, const Metamers& of) {
 class NoSeeker : public RoomSeeker {
  public:
   bool begin_round() override { return false; }
-  void list_seekers(std::vector<Seeker>&) const override {}
-  void take_room(std::span<const Room>) override {}
+  void list_seekers(std::vector<SpaceSeeker>&) const override {}
+  void take_room(std::span<const BudRoom>) override {}
 };
 
 /// A tree in its own space.
@@ -56,7 +56,7 @@ struct Grown {
   std::unique_ptr<StandingTree> tree;
 
   /// Makes a tree with the topology of `like` and the positions of `pose`.
-  Grown(const Scene& scene, const Metamers& like, const Pose& pose, RandomKey key) {
+  Grown(const Scene& scene, const Metamers& like, const TreePose& pose, RandomKey key) {
     grid = &space.shade({.voxel = 0.3, .depth = 4}, kMuch, "shade");
     field = &space.markers({.spacing = 0.2, .occupancy = 0.5}, RandomKey(1), scene.obstacles, seeker, kMuch, "markers");
     volume = field->add_volume(nullptr, kRoot);
@@ -102,8 +102,8 @@ RC_GTEST_PROP(StandingTree, AfterAMoveAllIsAsIfItHadGrownThere, ()) {
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   const Scene scene = walled();
   const Metamers form = random_metamers(key, 40);
-  const Pose there = random_pose(key.child("there"), form);
-  Pose half = random_pose(key.child("half"), form);
+  const TreePose there = random_pose(key.child("there"), form);
+  TreePose half = random_pose(key.child("half"), form);
   // First move only the later metamers, then all.
   for (MetamerIndex metamer = 0; metamer < 20; ++metamer) half.tip[metamer] = there.tip[metamer];
   Grown moved(scene, form, random_pose(key.child("here"), form), key);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(StandingTree, WhatIsRemovedAfterAMoveLeavesNothing, ()) {
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   const Scene scene = walled();
   const Metamers form = random_metamers(key, 40);
-  const Pose there = random_pose(key.child("there"), form);
+  const TreePose there = random_pose(key.child("there"), form);
   Grown moved(scene, form, random_pose(key.child("here"), form), key);
   moved.tree->move(there);
   Grown built(scene, form, there, key);
@@ -135,12 +135,12 @@ RC_GTEST_PROP(StandingTree, WhatIsCutIsAsIfItHadNeverGrown, ()) {
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   const Scene scene = walled();
   const Metamers form = random_metamers(key, 40);
-  const Pose pose = random_pose(key.child("pose"), form);
+  const TreePose pose = random_pose(key.child("pose"), form);
   const auto first = static_cast<MetamerIndex>(key.uniform(0, 1, static_cast<double>(form.count())));
   Metamers left = form;
   left.cut_off(first, Bud::damaged());
   const std::vector<std::uint8_t> gone = left.clear_away();
-  Pose pose_left = pose;
+  TreePose pose_left = pose;
   erase_marked(pose_left.tip, gone);
   erase_marked(pose_left.side, gone);
   Grown cut(scene, form, pose, key);
@@ -156,7 +156,7 @@ RC_GTEST_PROP(StandingTree, BendsFurtherFromTheMomentsThatItWasMovedWith, ()) {
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   const Scene scene = walled();
   const Metamers form = random_metamers(key, 30);
-  Pose there = random_pose(key.child("there"), form);
+  TreePose there = random_pose(key.child("there"), form);
   for (Vec3& tip : there.tip) tip.y = std::abs(tip.y);
   Grown one(scene, form, random_pose(key.child("here"), form), key);
   Grown other(scene, form, there, key);
@@ -173,7 +173,7 @@ RC_GTEST_PROP(StandingTree, BendsFurtherFromTheMomentsThatItWasMovedWith, ()) {
 TEST(StandingTree, WhatDoesNotMoveIsNotTold) {
   const Scene scene = walled();
   const Metamers form = random_metamers(RandomKey(4), 30);
-  const Pose pose = random_pose(RandomKey(5), form);
+  const TreePose pose = random_pose(RandomKey(5), form);
   Grown one(scene, form, pose, RandomKey(6));
   one.next_round();
   const std::size_t before = one.grid->bytes();

@@ -49,7 +49,7 @@ void expect_sound(const std::vector<WoodMetamer>& wood) {
 }
 
 Skeleton go_on(const OrganizeParameters& parameters, const Skeleton& wood, const Scene& scene = {},
-               const Limits& limits = {}) {
+               const SizeLimits& limits = {}) {
   Stand stand;
   const OrganizeSeed seed{Frame{}, nullptr, std::make_shared<const Skeleton>(wood)};
   stand.add(make_organizer(stand, {seed}, parameters, RandomKey(1), scene, limits, "tree"));
@@ -187,7 +187,7 @@ TEST(StandingWood, CastsItsShadeFromTheFirstRoundOn) {
   Frame beside;
   beside.origin = Vec3(1, 0, 0);
   stand.add(make_organizer(stand, {{Frame{}, nullptr, std::make_shared<const Skeleton>(crown)}, {beside, nullptr}},
-                           parameters, RandomKey(1), scene, Limits(), "tree"));
+                           parameters, RandomKey(1), scene, SizeLimits(), "tree"));
   Progress progress;
   stand.grow(progress);
   const Skeleton both = std::move(stand.take_skeletons(progress)[0]);
@@ -210,7 +210,7 @@ TEST(StandingWood, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(StandingWood, IsCountedBeforeItIsMade) {
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 1000;
   try {
     go_on(full(1), stem(1, 1e6), {}, limits);

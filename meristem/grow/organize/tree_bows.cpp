@@ -38,7 +38,7 @@ void TreeBows::add(const Bow& bow) {
   bows_.push_back(bow);
 }
 
-Pose TreeBows::bend(const Metamers& metamers) {
+TreePose TreeBows::bend(const Metamers& metamers) {
   const std::size_t count = metamers.count();
   std::vector<std::uint32_t> bow_of(count, 0);  // from 1; 0: not in a bow
   std::vector<int> lengths;
@@ -61,7 +61,7 @@ Pose TreeBows::bend(const Metamers& metamers) {
   };
   std::vector<Turn> turns(bows_.size());
   std::vector<Mat3> turned(count, Mat3(1));
-  Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, {}};
+  TreePose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, {}};
   pose.tip[0] = metamers.tip[0];
   for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
     const MetamerIndex parent = metamers.parent[metamer];

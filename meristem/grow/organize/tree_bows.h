@@ -18,7 +18,7 @@ class TreeBows {
   /// Returns the metamers after one more iteration of bending. Each bow turns by its share of the remaining angle,
   /// together with everything that it bears. No metamer moves below the ground, which is horizontal at the root.
   /// Obstacles are ignored. Removes completed bows.
-  Pose bend(const Metamers& metamers);
+  TreePose bend(const Metamers& metamers);
   /// Updates the indices after Metamers::remove(). A section that has lost a part is bent no further.
   void remove(const std::vector<std::uint8_t>& gone);
 

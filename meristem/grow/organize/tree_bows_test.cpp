@@ -54,7 +54,7 @@ TEST(TreeBows, NothingComesBelowTheGround) {
   Metamers metamers = straight(6, Vec3(0, 1, 0));
   TreeBows bows;
   bows.add({.first = 1, .last = 2, .tip = 6, .inclination = -kPi / 2, .iterations = 1});
-  const Pose pose = bows.bend(metamers);
+  const TreePose pose = bows.bend(metamers);
   for (const Vec3 tip : pose.tip) EXPECT_GE(tip.y, 0);
 }
 
@@ -80,19 +80,19 @@ ShootChoice branches() {
 
 OrganizeParameters bent(int iterations) {
   OrganizeParameters parameters = full(iterations);
-  Operation& bend = parameters.operations.emplace_back();
-  bend.when = Schedule::at(8);
+  TreeOperation& bend = parameters.operations.emplace_back();
+  bend.when = OperationSchedule::at(8);
   bend.shoots = branches();
-  bend.what = Bend{.below = 1, .metamers = 4, .inclination = -0.2, .iterations = 3};
+  bend.what = BendOperation{.below = 1, .metamers = 4, .inclination = -0.2, .iterations = 3};
   return parameters;
 }
 
 OrganizeParameters ringed(int iterations, double share) {
   OrganizeParameters parameters = full(iterations);
-  Operation& girdle = parameters.operations.emplace_back();
-  girdle.when = Schedule::at(8);
+  TreeOperation& girdle = parameters.operations.emplace_back();
+  girdle.when = OperationSchedule::at(8);
   girdle.shoots = branches();
-  girdle.what = Girdle{.below = 0, .share = share, .iterations = 3};
+  girdle.what = GirdleOperation{.below = 0, .share = share, .iterations = 3};
   return parameters;
 }
 

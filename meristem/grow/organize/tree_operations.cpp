@@ -29,11 +29,11 @@ void OrganizedTree::tie_shoots(int iteration) {
   misses_.clear();
   upkeep_.leads = find_leads(metamers_);
   ties_.forget_buds();
-  const std::vector<Operation>& operations = species_->parameters.operations;
+  const std::vector<TreeOperation>& operations = species_->parameters.operations;
   for (std::size_t k = 0; k < operations.size(); ++k) {
-    const Operation& operation = operations[k];
+    const TreeOperation& operation = operations[k];
     if (operation.tree && *operation.tree != number_) continue;
-    if (const auto* support = std::get_if<Support>(&operation.what); support && iteration > support->until) {
+    if (const auto* support = std::get_if<TrainingSupport>(&operation.what); support && iteration > support->until) {
       for (AxisIndex axis = 0; axis < metamers_.axes.size(); ++axis) {
         if (metamers_.axes[axis].tie == ties_.line_of(k)) tree_.tie(axis, 0);
       }
@@ -41,11 +41,11 @@ void OrganizedTree::tie_shoots(int iteration) {
     }
     if (!operation.when.is_in_turn(iteration) || (operation.when.once && upkeep_.is_done[k] != 0)) continue;
     const TreeState state = state_for(k, iteration - 1);
-    if (const auto* layers = std::get_if<Layers>(&operation.what)) {
+    if (const auto* layers = std::get_if<LayersOperation>(&operation.what)) {
       if (holds(state, operation.when)) ties_.add_arms(find_arms(metamers_, upkeep_.leads, *layers), ties_.line_of(k));
       continue;
     }
-    if (!std::holds_alternative<Support>(operation.what) || !holds(state, operation.when)) continue;
+    if (!std::holds_alternative<TrainingSupport>(operation.what) || !holds(state, operation.when)) continue;
     try {
       for (const Shoot& shoot : choose_shoots(state, operation)) {
         tree_.tie(shoot.axis, ties_.line_of(k));
@@ -83,6 +83,7 @@ void OrganizedTree::restore(State state) {
   tree_.restore(std::move(state.tree));
   flow_ = std::move(state.flow);
   upkeep_ = std::move(state.upkeep);
+  crop_ = std::move(state.crop);
   wood_ = std::move(state.wood);
   fallen_ = std::move(state.fallen);
   losses_ = std::move(state.losses);
@@ -103,14 +104,15 @@ void OrganizedTree::note_planned(MetamerIndex first, int operation) {
 }
 
 void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progress) {
-  const std::vector<Operation>& operations = species_->parameters.operations;
+  const std::vector<TreeOperation>& operations = species_->parameters.operations;
   upkeep_.leads = find_leads(metamers_);
   girth_.reset();
   for (std::size_t k = 0; k < operations.size(); ++k) {
-    const Operation& operation = operations[k];
+    const TreeOperation& operation = operations[k];
     if (!operation.when.is_in_turn(iteration) || operation.when.in_summer != in_summer) continue;
     if (operation.when.once && upkeep_.is_done[k] != 0) continue;
-    if ((operation.tree && *operation.tree != number_) || std::holds_alternative<Support>(operation.what)) continue;
+    if ((operation.tree && *operation.tree != number_) || std::holds_alternative<TrainingSupport>(operation.what))
+      continue;
     progress.check();
     const TreeState state = state_for(k, iteration);
     if (!holds(state, operation.when)) continue;
@@ -123,7 +125,10 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
   }
   girth_.reset();
   // Clear away once for all operations, so that the cost depends on what is removed and not on the tree.
-  if (clear_away()) upkeep_.leads = find_leads(metamers_);
+  if (clear_away()) {
+    leave_stubs();
+    upkeep_.leads = find_leads(metamers_);
+  }
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
 
@@ -158,7 +163,7 @@ void OrganizedTree::bend(const Bow& bow, std::size_t operation) {
 }
 
 /// Records the effects of an operation before it is applied.
-void OrganizedTree::record(const Work& work, int iteration, const Operation& operation) {
+void OrganizedTree::record(const OperationWork& work, int iteration, const TreeOperation& operation) {
   // Compute the radii on first use, before anything is cut.
   const auto radius_of = [&](MetamerIndex metamer) {
     if (!girth_) girth_.emplace(metamers_, wood_, species_->parameters.radii);
@@ -177,7 +182,7 @@ void OrganizedTree::record(const Work& work, int iteration, const Operation& ope
   }
 }
 
-void OrganizedTree::note_answering(const Work& work) {
+void OrganizedTree::note_answering(const OperationWork& work) {
   const auto note = [&](MetamerIndex metamer) {
     answering_.insert(metamers_.axes[metamers_.axis[metamer]].key.bits());
   };
@@ -185,7 +190,7 @@ void OrganizedTree::note_answering(const Work& work) {
   for (const MetamerIndex metamer : work.gone) note(metamers_.parent[metamer]);
 }
 
-void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation, bool in_summer) {
+void OrganizedTree::apply(const OperationWork& work, int iteration, std::size_t operation, bool in_summer) {
   const bool damages = species_->parameters.damage;
   if (in_summer) note_answering(work);
   record(work, iteration, species_->parameters.operations[operation]);
@@ -205,7 +210,12 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   for (const MetamerIndex metamer : gone) {
     if (metamers_.is_loose(metamer)) continue;
     if (!plan_cuts_.empty()) note_planned(metamer, species_->parameters.operations[operation].number);
+    const MetamerIndex from = metamers_.parent[metamer];
+    const float lost = metamers_.lost_tips[from];
+    const Vec3 tip = glm::mix(metamers_.tip[from], metamers_.tip[metamer], static_cast<float>(work.stub));
+    const bool is_lateral = metamers_.begins_shoot(metamer);
     cut_off(metamer, {after, work.renews ? Bud() : after}, iteration, why);
+    if (work.stub > 0 && from != 0) stubs_.push_back({from, is_lateral, tip, metamers_.lost_tips[from] - lost});
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

@@ -21,7 +21,8 @@ namespace {
 constexpr double kAhead = 2;
 
 /// Returns the line of a support of the scene, relative to a root.
-std::vector<Vec3> line_of_scene(const Operation& operation, const std::string& name, const Scene& scene, Vec3 root) {
+std::vector<Vec3> line_of_scene(const TreeOperation& operation, const std::string& name, const Scene& scene,
+                                Vec3 root) {
   const auto found = scene.supports.find(name);
   if (found == scene.supports.end()) {
     std::vector<std::string> names;
@@ -41,19 +42,20 @@ std::vector<Vec3> line_of_scene(const Operation& operation, const std::string& n
 TreeTies::TreeTies(const OrganizedSpecies& species, Vec3 root)
     : ahead_(static_cast<float>(kAhead * species.parameters.length)) {
   const OrganizeParameters& parameters = species.parameters;
-  for (const Operation& operation : parameters.operations) {
+  for (const TreeOperation& operation : parameters.operations) {
     first_of_.push_back(0);
-    if (const auto* support = std::get_if<Support>(&operation.what)) {
+    if (const auto* support = std::get_if<TrainingSupport>(&operation.what)) {
       lines_.push_back(
           {support->named.empty() ? support->line : line_of_scene(operation, support->named, species.scene, root),
            support->weight});
       first_of_.back() = static_cast<std::uint32_t>(lines_.size());
-    } else if (const auto* layers = std::get_if<Layers>(&operation.what)) {
+    } else if (const auto* layers = std::get_if<LayersOperation>(&operation.what)) {
       first_of_.back() = static_cast<std::uint32_t>(lines_.size()) + 1;
       for (std::vector<Vec3>& wire : arm_wires(*layers, parameters.length)) {
         lines_.push_back({std::move(wire), layers->weight});
       }
-    } else if (std::holds_alternative<Bend>(operation.what) || std::holds_alternative<Tie>(operation.what)) {
+    } else if (std::holds_alternative<BendOperation>(operation.what) ||
+               std::holds_alternative<TieOperation>(operation.what)) {
       lines_.push_back({{}, 0});  // holds a shoot without directing its growth
       first_of_.back() = static_cast<std::uint32_t>(lines_.size());
     }
@@ -65,7 +67,8 @@ void TreeTies::add_arms(const std::vector<ArmBud>& arms, std::uint32_t first) {
   std::ranges::sort(arms_);
 }
 
-std::uint32_t TreeTies::of_bud(const Metamers& metamers, const Leads& leads, MetamerIndex from, bool is_lateral) const {
+std::uint32_t TreeTies::of_bud(const Metamers& metamers, const TreeLeads& leads, MetamerIndex from,
+                               bool is_lateral) const {
   const AxisIndex axis = metamers.axis[from];
   if (!is_lateral || leads.from[axis] == from) return metamers.axes[axis].tie;
   const auto found = std::ranges::lower_bound(arms_, std::pair<MetamerIndex, std::uint32_t>(from, 0));

@@ -26,7 +26,7 @@ class TreeTies {
   std::uint32_t line_of(std::size_t operation) const { return first_of_[operation]; }
   /// Returns the line of the shoot that a bud grows; 0 if it is not tied. A shoot that succeeds a tied shoot is also
   /// tied.
-  std::uint32_t of_bud(const Metamers& metamers, const Leads& leads, MetamerIndex from, bool is_lateral) const;
+  std::uint32_t of_bud(const Metamers& metamers, const TreeLeads& leads, MetamerIndex from, bool is_lateral) const;
 
   double weight(std::uint32_t tie) const { return lines_[tie - 1].weight; }
   /// Returns the unit growth direction along a line, and back to the line, for a shoot that ends at `tip`.

@@ -20,7 +20,7 @@ namespace {
 
 /// Returns true if a shoot has a metamer above the given number. Throws InputError if it does not and the operation
 /// names the shoot.
-bool reaches(const Operation& operation, const Shoot& shoot, int below) {
+bool reaches(const TreeOperation& operation, const Shoot& shoot, int below) {
   if (static_cast<std::size_t>(below) < shoot.path.size()) return true;
   if (operation.shoots.kind != ShootChoice::Kind::label) return false;
   throw InputError(Diagnostic{
@@ -37,7 +37,7 @@ double turn_of(const Metamers& metamers, MetamerIndex last, double inclination) 
 
 /// Returns true if the wood is thicker than the radius of the bend. If the operation names the shoot, throws InputError
 /// at `key` instead.
-bool would_break(const Operation& operation, const char* key, double thick, double length, double turn) {
+bool would_break(const TreeOperation& operation, const char* key, double thick, double length, double turn) {
   if (length >= thick * turn) return false;
   if (operation.shoots.kind == ShootChoice::Kind::condition) return true;
   throw InputError(Diagnostic{
@@ -64,8 +64,8 @@ std::optional<Vec3> string_end(const Metamers& metamers, const std::vector<Shoot
 
 }  // namespace
 
-Work girdle(const Operation& operation, const Girdle& what, const std::vector<Shoot>& shoots) {
-  Work work;
+OperationWork girdle(const TreeOperation& operation, const GirdleOperation& what, const std::vector<Shoot>& shoots) {
+  OperationWork work;
   for (const Shoot& shoot : shoots) {
     if (!reaches(operation, shoot, what.below)) continue;
     work.rings.push_back({shoot.path[static_cast<std::size_t>(what.below)], what.share, what.iterations});
@@ -73,10 +73,11 @@ Work girdle(const Operation& operation, const Girdle& what, const std::vector<Sh
   return work;
 }
 
-Work bend(const TreeState& tree, const Operation& operation, const Bend& what, const std::vector<Shoot>& shoots) {
+OperationWork bend(const TreeState& tree, const TreeOperation& operation, const BendOperation& what,
+                   const std::vector<Shoot>& shoots) {
   const Metamers& metamers = tree.metamers;
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, tree.radii);
-  Work work;
+  OperationWork work;
   for (const Shoot& shoot : shoots) {
     if (!reaches(operation, shoot, what.below)) continue;
     const auto first = static_cast<std::size_t>(what.below);
@@ -90,18 +91,19 @@ Work bend(const TreeState& tree, const Operation& operation, const Bend& what, c
   return work;
 }
 
-Work tie(const TreeState& tree, const Operation& operation, const Tie& what, const std::vector<Shoot>& shoots) {
+OperationWork tie(const TreeState& tree, const TreeOperation& operation, const TieOperation& what,
+                  const std::vector<Shoot>& shoots) {
   const Metamers& metamers = tree.metamers;
   std::vector<Shoot> anchors;
   if (what.to) {
-    Operation other;
+    TreeOperation other;
     other.shoots = *what.to;
     other.path = operation.path;
     other.shoots.key = "anchor";
     anchors = choose_shoots(tree, other);
   }
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, tree.radii);
-  Work work;
+  OperationWork work;
   for (const Shoot& shoot : shoots) {
     if (shoot.axis == 0 || !reaches(operation, shoot, what.below ? *what.below - 1 : 0)) continue;
     const std::size_t tied = what.below ? static_cast<std::size_t>(*what.below) : shoot.path.size();

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kShownNames = 12;
 
-[[noreturn]] void refuse_label(const TreeState& tree, const Operation& operation) {
+[[noreturn]] void refuse_label(const TreeState& tree, const TreeOperation& operation) {
   // Suggest names of shoots on the longest existing prefix of the label.
   const Metamers& metamers = tree.metamers;
   std::string known = operation.shoots.text;
@@ -219,7 +219,7 @@ const std::vector<std::string>& shoot_variables() {
   return names;
 }
 
-std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operation) {
+std::vector<Shoot> choose_shoots(const TreeState& tree, const TreeOperation& operation) {
   const ShootChoice& choice = operation.shoots;
   if (choice.kind == ShootChoice::Kind::label) {
     const std::optional<AxisIndex> axis = tree.metamers.find_shoot(choice.text);
@@ -248,7 +248,7 @@ std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operati
   return chosen;
 }
 
-bool holds(const TreeState& tree, const Schedule& when) {
+bool holds(const TreeState& tree, const OperationSchedule& when) {
   if (!when.when) return true;
   const Metamers& metamers = tree.metamers;
   Box around;

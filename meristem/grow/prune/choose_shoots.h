@@ -12,9 +12,9 @@ namespace meristem {
 /// Returns the shoots of an operation, sorted by axis. A label selects only the shoot with that name. The leader and
 /// shoots of a condition are complete leads, including their successors. Throws InputError at the document path of
 /// `shoots`, with existing names, for a label without a shoot.
-std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operation);
+std::vector<Shoot> choose_shoots(const TreeState& tree, const TreeOperation& operation);
 
 /// Returns true if the condition of a schedule holds.
-bool holds(const TreeState& tree, const Schedule& when);
+bool holds(const TreeState& tree, const OperationSchedule& when);
 
 }  // namespace meristem

@@ -20,7 +20,7 @@ namespace meristem {
 
 namespace {
 
-[[noreturn]] void refuse(const Operation& operation, const char* key, std::string message, std::string expected) {
+[[noreturn]] void refuse(const TreeOperation& operation, const char* key, std::string message, std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message),
                               .expected = std::move(expected),
                               .path = fmt::format("{}.{}", operation.path, key)});
@@ -30,13 +30,13 @@ bool is_alive(Bud bud) { return bud.is_open() || bud.is_grown(); }
 
 class Cutter {
  public:
-  Cutter(const TreeState& tree, const Operation& operation, const Cut& what)
+  Cutter(const TreeState& tree, const TreeOperation& operation, const CutOperation& what)
       : tree_(tree), metamers_(tree.metamers), operation_(operation), what_(what) {}
 
   /// Returns the first removed metamers of a shoot.
   std::vector<MetamerIndex> cuts(const Shoot& shoot) const {
     if (shoot.path.empty()) return {};
-    if (what_.place == Cut::Place::outside) return outside(shoot);
+    if (what_.place == CutOperation::Place::outside) return outside(shoot);
     const std::optional<std::size_t> stays = find_stay(shoot);
     if (!stays) return {};
     const std::size_t kept = *stays == 0 ? 0 : above_bud(shoot.path, *stays);
@@ -50,9 +50,9 @@ class Cutter {
   /// Returns how many metamers of a shoot should stay, or nothing if there is nothing to cut.
   std::optional<std::size_t> find_stay(const Shoot& shoot) const {
     switch (what_.place) {
-      case Cut::Place::above:
+      case CutOperation::Place::above:
         return stay_above(shoot);
-      case Cut::Place::above_lateral:
+      case CutOperation::Place::above_lateral:
         return stay_above_lateral(shoot);
       default:
         return stay_to_bud(shoot);
@@ -90,11 +90,11 @@ class Cutter {
   Vec3 wanted_way(MetamerIndex metamer) const {
     const Vec3 tip = metamers_.tip[metamer];
     switch (what_.toward) {
-      case Cut::Toward::up:
+      case CutOperation::Toward::up:
         return kUp;
-      case Cut::Toward::down:
+      case CutOperation::Toward::down:
         return -kUp;
-      case Cut::Toward::out:
+      case CutOperation::Toward::out:
         return normalized_or(Vec3(tip.x, 0, tip.z), metamers_.heading(metamer));
       default:
         return what_.direction;
@@ -157,15 +157,17 @@ class Cutter {
 
   const TreeState& tree_;
   const Metamers& metamers_;
-  const Operation& operation_;
-  const Cut& what_;
+  const TreeOperation& operation_;
+  const CutOperation& what_;
 };
 
 }  // namespace
 
-Work cut(const TreeState& tree, const Operation& operation, const Cut& what, const std::vector<Shoot>& shoots) {
+OperationWork cut(const TreeState& tree, const TreeOperation& operation, const CutOperation& what,
+                  const std::vector<Shoot>& shoots) {
   const Cutter cutter(tree, operation, what);
-  Work work;
+  OperationWork work;
+  work.stub = what.stub;
   for (const Shoot& shoot : shoots) {
     for (const MetamerIndex metamer : cutter.cuts(shoot)) {
       work.gone.push_back(metamer);

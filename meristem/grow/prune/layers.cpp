@@ -18,17 +18,17 @@ struct PlaceInLayer {
   int number = 1;
 };
 
-PlaceInLayer place_of(std::size_t on_leader, const Layers& what) {
+PlaceInLayer place_of(std::size_t on_leader, const LayersOperation& what) {
   const int at = static_cast<int>(on_leader);
   return {at / what.metamers, at % what.metamers + 1};
 }
 
 }  // namespace
 
-Work layer(const TreeState& tree, const Layers& what) {
+OperationWork layer(const TreeState& tree, const LayersOperation& what) {
   const Metamers& metamers = tree.metamers;
   const std::vector<MetamerIndex> leader = lead_path(metamers, tree.leads, 0);
-  Work work;
+  OperationWork work;
   for (std::size_t k = 0; k < leader.size(); ++k) {
     const auto [at_layer, number] = place_of(k, what);
     const MetamerIndex metamer = leader[k];
@@ -50,7 +50,7 @@ Work layer(const TreeState& tree, const Layers& what) {
   return work;
 }
 
-std::vector<ArmBud> find_arms(const Metamers& metamers, const Leads& leads, const Layers& what) {
+std::vector<ArmBud> find_arms(const Metamers& metamers, const TreeLeads& leads, const LayersOperation& what) {
   const std::vector<MetamerIndex> leader = lead_path(metamers, leads, 0);
   std::vector<ArmBud> arms;
   for (std::size_t k = 0; k < leader.size(); ++k) {
@@ -63,7 +63,7 @@ std::vector<ArmBud> find_arms(const Metamers& metamers, const Leads& leads, cons
   return arms;
 }
 
-std::vector<std::vector<Vec3>> arm_wires(const Layers& what, double length) {
+std::vector<std::vector<Vec3>> arm_wires(const LayersOperation& what, double length) {
   std::vector<std::vector<Vec3>> wires;
   for (int at_layer = 0; at_layer < what.count; ++at_layer) {
     const double share = what.count > 1 ? static_cast<double>(at_layer) / (what.count - 1) : 0;

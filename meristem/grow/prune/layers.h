@@ -16,9 +16,9 @@ struct ArmBud {
 };
 
 /// Returns all arms of a tree, from the ground up.
-std::vector<ArmBud> find_arms(const Metamers& metamers, const Leads& leads, const Layers& what);
+std::vector<ArmBud> find_arms(const Metamers& metamers, const TreeLeads& leads, const LayersOperation& what);
 
 /// Returns the wires of the arms, two per layer from the ground up, left first. `length` is the length of a metamer.
-std::vector<std::vector<Vec3>> arm_wires(const Layers& what, double length);
+std::vector<std::vector<Vec3>> arm_wires(const LayersOperation& what, double length);
 
 }  // namespace meristem

@@ -10,7 +10,7 @@ namespace {
 
 /// Searches down an axis from `top` for the lateral that continues it, and stores it in `leads`. Returns true if one
 /// was found.
-bool find_heir(const Metamers& metamers, AxisIndex axis, MetamerIndex top, Leads& leads) {
+bool find_heir(const Metamers& metamers, AxisIndex axis, MetamerIndex top, TreeLeads& leads) {
   leads.heir[axis] = kNoAxis;
   leads.from[axis] = kNoNode;
   for (MetamerIndex metamer = top;; metamer = metamers.parent[metamer]) {
@@ -30,7 +30,7 @@ bool needs_heir(const Metamers& metamers, AxisIndex axis) {
 }
 
 /// Finds the leader of the tree. If a successor has no bud that could continue, the next lateral below it leads.
-void find_leader(const Metamers& metamers, Leads& leads) {
+void find_leader(const Metamers& metamers, TreeLeads& leads) {
   AxisIndex axis = 0;
   while (needs_heir(metamers, axis)) {
     bool found = leads.from[axis] != kNoNode;
@@ -52,9 +52,9 @@ void find_leader(const Metamers& metamers, Leads& leads) {
 
 }  // namespace
 
-Leads find_leads(const Metamers& metamers) {
+TreeLeads find_leads(const Metamers& metamers) {
   const std::size_t count = metamers.axes.size();
-  Leads leads;
+  TreeLeads leads;
   leads.rank.assign(count, 0);
   leads.heir.assign(count, kNoAxis);
   leads.from.assign(count, kNoNode);
@@ -73,7 +73,7 @@ Leads find_leads(const Metamers& metamers) {
   return leads;
 }
 
-std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head) {
+std::vector<MetamerIndex> lead_path(const Metamers& metamers, const TreeLeads& leads, AxisIndex head) {
   const AxisIndex end = lead_end(leads, head);
   // A lead whose heir is dormant, or belongs to a lower lead, ends at the end of its own axis.
   std::vector<MetamerIndex> path;

@@ -13,7 +13,7 @@
 namespace meristem {
 
 /// The leads of a tree, by axis.
-struct Leads {
+struct TreeLeads {
   std::vector<std::uint16_t> rank;    ///< rank of each axis
   std::vector<AxisIndex> heir;        ///< the axis that continues each axis, or kNoAxis
   std::vector<MetamerIndex> from;     ///< the metamer whose lateral bud or shoot continues each axis, or kNoNode
@@ -28,15 +28,15 @@ struct Leads {
 };
 
 /// Cost: linear.
-Leads find_leads(const Metamers& metamers);
+TreeLeads find_leads(const Metamers& metamers);
 
 /// Returns the last axis of the lead that begins with `head`.
-inline AxisIndex lead_end(const Leads& leads, AxisIndex head) {
+inline AxisIndex lead_end(const TreeLeads& leads, AxisIndex head) {
   while (leads.heir[head] != kNoAxis) head = leads.heir[head];
   return head;
 }
 
 /// Returns the metamers of a lead from base to tip, without the seed. `head` is the first axis of the lead.
-std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head);
+std::vector<MetamerIndex> lead_path(const Metamers& metamers, const TreeLeads& leads, AxisIndex head);
 
 }  // namespace meristem

@@ -30,7 +30,7 @@ const std::vector<std::string>& shoot_variables();
 inline constexpr std::size_t kMaxMarks = 32;
 
 /// When an operation acts: after all growth of these iterations, or in summer after a part of it.
-struct Schedule {
+struct OperationSchedule {
   int from = 1;                    ///< first iteration, from 1
   int every = 1;                   ///< iterations between two times
   int to = kLastIteration;         ///< last iteration
@@ -39,7 +39,7 @@ struct Schedule {
   bool in_summer = false;          ///< true: the rest of the iteration's growth comes after it
 
   /// A schedule of one iteration.
-  static Schedule at(int iteration) { return {iteration, 1, iteration, std::nullopt}; }
+  static OperationSchedule at(int iteration) { return {iteration, 1, iteration, std::nullopt}; }
   /// Returns true if the operation acts in this iteration, apart from `when` and `once`.
   bool is_in_turn(int iteration) const {
     return iteration >= from && iteration <= to && (iteration - from) % every == 0;
@@ -67,10 +67,10 @@ struct ShootChoice {
 
 /// A cut just above a living bud or a lateral shoot. If the position has no such bud or shoot, the cut moves down to
 /// the next one.
-struct Cut {
+struct CutOperation {
   /// Where a shoot is cut.
   enum class Place {
-    above,          ///< keeps a number of metamers: Cut::above
+    above,          ///< keeps a number of metamers: CutOperation::above
     above_lateral,  ///< just above a lateral shoot
     to_bud,         ///< just above a dormant bud that faces one direction
     outside,        ///< at the surface of a body
@@ -85,31 +85,32 @@ struct Cut {
   int window = 0;                ///< metamers on both sides of the youngest section's middle to choose from
   CrownPointer outside;          ///< relative to the root
   bool has_successor = true;     ///< false: no other shoot succeeds a cut shoot
+  double stub = 0;               ///< length of the dead stub that stays above the bud, in metamers, 0 to 1
 };
 
 /// Shortens shoots to a number of metamers and removes their branches.
-struct Spur {
+struct SpurOperation {
   int metamers = 2;  ///< metamers that stay
 };
 
-/// Limits the length of shoots.
-struct Limit {
+/// Limits the length of shoots, counted with the lateral shoot that continues a shoot after the cut.
+struct LimitOperation {
   int metamers = 12;  ///< largest number of metamers
 };
 
 /// The rule of the espalier, layer by layer along the leader. First all shoots are removed, then one arm grows on each
 /// side, then the leader is cut to a bud that continues it.
-struct Layers {
+struct LayersOperation {
   int count = 3;          ///< number of layers
   int metamers = 6;       ///< metamers of the leader in each layer; the last is cut, and the two below it bear the arms
   Vec3 right{1, 0, 0};    ///< horizontal unit vector: direction of the right arms
   double angle = 0;       ///< inclination of the lowest arms above the horizontal, radians
   double angle_last = 0;  ///< inclination of the topmost arms above the horizontal, radians
-  double weight = 6;      ///< weight of the arms' wires, like Support::weight
+  double weight = 6;      ///< weight of the arms' wires, like TrainingSupport::weight
 };
 
 /// A pole, rod or wire that shoots are tied to.
-struct Support {
+struct TrainingSupport {
   std::vector<Vec3> line;  ///< metres from the root; shoots follow it from its first point on and beyond its last point
   std::string named;       ///< name of a support of the scene, instead of a line
   double weight = 6;       ///< weight of the line's direction among the weights of growth; larger: straighter shoots
@@ -117,20 +118,20 @@ struct Support {
 };
 
 /// Gives shoots a mark that other operations can test.
-struct Mark {
+struct MarkOperation {
   double chance = 1;        ///< 0 to 1, for each shoot
   std::uint32_t state = 0;  ///< number of the mark in the operation list, below kMaxMarks
 };
 
 /// Removes a ring of bark: resource made above it stays above it.
-struct Girdle {
+struct GirdleOperation {
   int below = 0;       ///< metamers of the shoot below the ring
   double share = 1;    ///< 0 to 1: share of the resource made above that does not pass the ring
   int iterations = 1;  ///< iterations until it has healed
 };
 
 /// Bends shoots gradually over several iterations and then holds them, so that they no longer sag.
-struct Bend {
+struct BendOperation {
   int below = 0;           ///< metamers of the shoot below the bend
   int metamers = 3;        ///< metamers in the bend; larger: wider
   double inclination = 0;  ///< inclination above the horizontal of the part beyond the bend, radians
@@ -138,7 +139,7 @@ struct Bend {
 };
 
 /// Draws shoots by a string to another shoot or to the ground, gradually over several iterations, and then holds them.
-struct Tie {
+struct TieOperation {
   std::optional<int> below;       ///< metamers of the shoot below the string; unset: it is tied at its tip
   std::optional<ShootChoice> to;  ///< the shoot that they are tied to, at its nearest point; unset: the ground
   double length = 0;              ///< length of the string, metres; larger: shoots are drawn less far
@@ -146,14 +147,16 @@ struct Tie {
 };
 
 /// An operation with its schedule, its shoots and its trees.
-struct Operation {
-  Schedule when;            ///< the iterations in which it acts
+struct TreeOperation {
+  OperationSchedule when;   ///< the iterations in which it acts
   ShootChoice shoots;       ///< the shoots that it acts on
   std::optional<int> tree;  ///< number of the one root that it applies to, from 0; unset: all roots
   std::string path;         ///< document path for errors: "components.apple.operations[3]"
   int number = 0;           ///< number in the component's list, from 1; the column `plan_cut` refers to it
   /// The act of the operation, with its parameters.
-  std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend, Tie> what;
+  std::variant<CutOperation, SpurOperation, LimitOperation, LayersOperation, TrainingSupport, MarkOperation,
+               GirdleOperation, BendOperation, TieOperation>
+      what;
 };
 
 }  // namespace meristem

@@ -17,6 +17,7 @@
 #include "meristem/grow/prune/support_line.h"
 #include "meristem/grow/prune/work.h"
 #include "meristem/grow/prune/work_recorder.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
 namespace meristem::prune_test {
@@ -45,14 +46,14 @@ class HandMade {
     metamers.remove(gone, Bud::damaged());
   }
 
-  Leads leads() const { return find_leads(metamers); }
+  TreeLeads leads() const { return find_leads(metamers); }
   AxisIndex axis(const char* name) const { return metamers.find_shoot(name).value(); }
-  Work work(const Operation& operation) const {
-    const Leads found = leads();
+  OperationWork work(const TreeOperation& operation) const {
+    const TreeLeads found = leads();
     return find_work({metamers, found, flow, radii, 5, RandomKey(7), in_pairs, marks}, operation);
   }
-  std::vector<OperationRecord> records(const Operation& operation) const {
-    const Leads found = leads();
+  std::vector<OperationRecord> records(const TreeOperation& operation) const {
+    const TreeLeads found = leads();
     std::vector<OperationRecord> told;
     const TreeState state{metamers, found, flow, radii, 5, RandomKey(7)};
     const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii);
@@ -63,7 +64,7 @@ class HandMade {
     return told;
   }
   /// Returns the shoots and numbers of the first metamers that an operation removes, in order.
-  std::string taken(const Operation& operation) const {
+  std::string taken(const TreeOperation& operation) const {
     std::vector<MetamerIndex> gone = work(operation).gone;
     std::ranges::sort(gone);
     std::string text;
@@ -86,23 +87,23 @@ ShootChoice condition(const std::string& text) {
 }
 
 template <class What>
-Operation operation(ShootChoice shoots, What what) {
-  Operation made;
+TreeOperation operation(ShootChoice shoots, What what) {
+  TreeOperation made;
   made.shoots = std::move(shoots);
   made.path = "components.tree.operations[0]";
   made.what = std::move(what);
   return made;
 }
 
-Cut above(int metamers) {
-  Cut cut;
+CutOperation above(int metamers) {
+  CutOperation cut;
   cut.above = metamers;
   return cut;
 }
 
-Cut to_bud(Cut::Toward toward, int window = 0) {
-  Cut cut;
-  cut.place = Cut::Place::to_bud;
+CutOperation to_bud(CutOperation::Toward toward, int window = 0) {
+  CutOperation cut;
+  cut.place = CutOperation::Place::to_bud;
   cut.toward = toward;
   cut.window = window;
   return cut;
@@ -112,7 +113,7 @@ TEST(Leads, RanksCountFromTheStem) {
   HandMade tree(4);
   tree.branch(2, 2);
   tree.branch(6, 1, kUp);
-  const Leads leads = tree.leads();
+  const TreeLeads leads = tree.leads();
   EXPECT_EQ(leads.leader, 0U);
   EXPECT_EQ(leads.rank, (std::vector<std::uint16_t>{0, 1, 2}));
 }
@@ -122,7 +123,7 @@ TEST(Leads, TheShootAtTheCutLeadsOn) {
   tree.branch(2, 3);
   tree.branch(4, 3);
   tree.cut_above(4);
-  const Leads leads = tree.leads();
+  const TreeLeads leads = tree.leads();
   EXPECT_EQ(leads.leader, tree.axis("main.4"));
   EXPECT_EQ(leads.rank[tree.axis("main.4")], 0);
   EXPECT_EQ(leads.rank[tree.axis("main.2")], 1);
@@ -133,7 +134,7 @@ TEST(Leads, WhileTheBudAtTheCutSleepsNobodyLeads) {
   HandMade tree(6);
   tree.branch(2, 3);
   tree.cut_above(4);
-  const Leads leads = tree.leads();
+  const TreeLeads leads = tree.leads();
   EXPECT_EQ(leads.leader, kNoAxis);
   EXPECT_EQ(leads.rank_of_bud(tree.metamers, 4, true), 0);
   EXPECT_EQ(leads.rank_of_bud(tree.metamers, 3, true), 1);
@@ -163,7 +164,7 @@ TEST(Leads, AShootWithoutHeirsIsNotSucceeded) {
   tree.branch(4, 3);
   tree.cut_above(4);
   tree.metamers.axes[0].has_no_heir = true;
-  const Leads leads = tree.leads();
+  const TreeLeads leads = tree.leads();
   EXPECT_EQ(leads.leader, kNoAxis);
   EXPECT_EQ(leads.rank[tree.axis("main.4")], 1);
 }
@@ -199,8 +200,8 @@ TEST(Prune, AConditionFindsShootsByWhatTheyAre) {
 TEST(Prune, ATreeWithoutShootsHasNoneToChoose) {
   const HandMade seed(0);
   EXPECT_EQ(seed.taken(operation(condition("rank == 0 && clearance > 1"), above(1))), "");
-  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), to_bud(Cut::Toward::up))), "");
-  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), Layers{})), "");
+  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), to_bud(CutOperation::Toward::up))), "");
+  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), LayersOperation{})), "");
 }
 
 TEST(Prune, ACutMovesDownToALivingBud) {
@@ -223,8 +224,8 @@ TEST(Prune, ACutKeepsPairsWhole) {
 TEST(Prune, ACutAboveALateralCountsThemFromTheBase) {
   HandMade tree(8);
   for (const MetamerIndex at : {2U, 4U, 5U}) tree.branch(at, 2);
-  Cut cut;
-  cut.place = Cut::Place::above_lateral;
+  CutOperation cut;
+  cut.place = CutOperation::Place::above_lateral;
   const auto taken = [&](const char* number) {
     cut.lateral = Expression::compile(number, {});
     return tree.taken(operation(ShootChoice::leader(), cut));
@@ -239,24 +240,24 @@ TEST(Prune, ACutAboveALateralCountsThemFromTheBase) {
 TEST(Prune, ACutToABudTakesTheNearestToTheMiddleThatFacesThere) {
   HandMade tree(3);
   tree.branch(3, 9);
-  const auto taken = [&](const Cut& cut) { return tree.taken(operation(condition("rank == 1"), cut)); };
+  const auto taken = [&](const CutOperation& cut) { return tree.taken(operation(condition("rank == 1"), cut)); };
   // Buds with odd numbers face down; the middle is the fifth.
-  EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:6");
-  EXPECT_EQ(taken(to_bud(Cut::Toward::up)), "main.3:7");
+  EXPECT_EQ(taken(to_bud(CutOperation::Toward::down)), "main.3:6");
+  EXPECT_EQ(taken(to_bud(CutOperation::Toward::up)), "main.3:7");
   const MetamerIndex fifth = tree.metamers.find(1, 5).value();
   tree.metamers.lateral[fifth] = Bud::damaged();
-  EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:8");
+  EXPECT_EQ(taken(to_bud(CutOperation::Toward::down)), "main.3:8");
   // Within a window, the best-facing bud is chosen.
   tree.metamers.side[tree.metamers.find(1, 7).value()] = Vec3(0, -0.6F, 0.8F);
-  EXPECT_EQ(taken(to_bud(Cut::Toward::down, 2)), "main.3:4");
+  EXPECT_EQ(taken(to_bud(CutOperation::Toward::down, 2)), "main.3:4");
 }
 
 TEST(Prune, ACutOutsideABodyFollowsItsSurface) {
   HandMade tree(6);
   tree.branch(2, 4);
   tree.branch(3, 1);
-  Cut cut;
-  cut.place = Cut::Place::outside;
+  CutOperation cut;
+  cut.place = CutOperation::Place::outside;
   cut.outside = std::make_shared<BoxCrown>(Box{Vec3(-2.5F, -1, -1), Vec3(2.5F, 4.5F, 1)});
   EXPECT_EQ(tree.taken(operation(condition("rank >= 0"), cut)), "main:5 main.2:3");
   // Pairs are removed completely, also the last pair of a shoot.
@@ -270,7 +271,7 @@ TEST(Prune, SpursKeepSoManyMetamersAndNoBranches) {
   tree.branch(2, 4);
   tree.branch(4, 3, kUp);
   tree.branch(8, 1);
-  const Operation rule = operation(condition("rank >= 2"), Spur{2});
+  const TreeOperation rule = operation(condition("rank >= 2"), SpurOperation{2});
   EXPECT_EQ(tree.taken(rule), "main.2.1:3 main.2.1.1:1");
   EXPECT_TRUE(tree.work(rule).renews);
 }
@@ -279,14 +280,25 @@ TEST(Prune, ALimitHoldsOverSuccessions) {
   HandMade tree(6);
   tree.branch(4, 3);
   tree.cut_above(4);
-  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{5})), "main.4:2");
-  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{7})), "");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), LimitOperation{5})), "main.4:2");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), LimitOperation{7})), "");
+}
+
+TEST(Prune, ALimitShortensTheLateralThatTakesTheLead) {
+  // A stem of 8 with a lateral of 3 at the fifth metamer: cut to 5, the lateral would make it 8 again.
+  HandMade tree(8);
+  tree.branch(5, 3);
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), LimitOperation{5})), "main:6 main.5:1");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), LimitOperation{4})), "main:5");
+  // Without a living bud at the cut, the stem is cut above the next one, which may grow no longer either.
+  tree.metamers.lateral[6] = Bud::dead();
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), LimitOperation{6})), "main:6 main.5:2");
 }
 
 TEST(Prune, LayersKeepTwoArmsAndALeader) {
   HandMade tree(8);
   for (const MetamerIndex at : {1U, 3U, 4U, 5U}) tree.branch(at, 2);
-  const Operation rule = operation(ShootChoice::leader(), Layers{.count = 2});
+  const TreeOperation rule = operation(ShootChoice::leader(), LayersOperation{.count = 2});
   EXPECT_EQ(tree.taken(rule), "main:7 main.1:1 main.3:1");
   const std::vector<ArmBud> arms = find_arms(tree.metamers, tree.leads(), {});
   ASSERT_EQ(arms.size(), 2U);
@@ -301,7 +313,7 @@ TEST(Prune, LayersKeepTwoArmsAndALeader) {
 
 TEST(Prune, TheTopLayerEndsTheLeader) {
   HandMade tree(6);
-  const Work work = tree.work(operation(ShootChoice::leader(), Layers{.count = 1}));
+  const OperationWork work = tree.work(operation(ShootChoice::leader(), LayersOperation{.count = 1}));
   EXPECT_EQ(work.pinched, std::vector<MetamerIndex>{6});
   EXPECT_EQ(work.lifted, std::vector<MetamerIndex>{6});
   EXPECT_EQ(work.headless, std::vector<AxisIndex>{0});
@@ -311,12 +323,14 @@ TEST(Prune, RingsStandWhereTheyAreAskedFor) {
   HandMade tree(3);
   tree.branch(2, 4);
   tree.branch(3, 1);
-  const std::vector<Ring> rings = tree.work(operation(condition("rank == 1"), Girdle{1, 0.5, 3})).rings;
+  const std::vector<Ring> rings = tree.work(operation(condition("rank == 1"), GirdleOperation{1, 0.5, 3})).rings;
   ASSERT_EQ(rings.size(), 1U) << "the short shoot has nothing above a metamer";
   EXPECT_EQ(rings[0].metamer, tree.metamers.find(tree.axis("main.2"), 2));
   EXPECT_EQ(rings[0].share, 0.5);
   EXPECT_EQ(rings[0].iterations, 3);
-  const auto named = [&](int below) { return tree.work(operation(ShootChoice::label("main.3"), Girdle{below})); };
+  const auto named = [&](int below) {
+    return tree.work(operation(ShootChoice::label("main.3"), GirdleOperation{below}));
+  };
   EXPECT_EQ(named(0).rings.size(), 1U);
   try {
     named(1);
@@ -330,7 +344,7 @@ TEST(Prune, RingsStandWhereTheyAreAskedFor) {
 TEST(Prune, ABendGoesOverItsMetamers) {
   HandMade tree(3);
   tree.branch(2, 6);
-  const std::vector<Bow> bows = tree.work(operation(condition("rank == 1"), Bend{1, 3, -0.5, 4})).bows;
+  const std::vector<Bow> bows = tree.work(operation(condition("rank == 1"), BendOperation{1, 3, -0.5, 4})).bows;
   ASSERT_EQ(bows.size(), 1U);
   const AxisIndex axis = tree.axis("main.2");
   EXPECT_EQ(bows[0].first, tree.metamers.find(axis, 2));
@@ -338,14 +352,14 @@ TEST(Prune, ABendGoesOverItsMetamers) {
   EXPECT_EQ(bows[0].tip, tree.metamers.find(axis, 6));
   EXPECT_EQ(bows[0].iterations, 4);
   // It ends at the end of the shoot.
-  EXPECT_EQ(tree.work(operation(condition("rank == 1"), Bend{1, 9})).bows[0].last, bows[0].tip);
+  EXPECT_EQ(tree.work(operation(condition("rank == 1"), BendOperation{1, 9})).bows[0].last, bows[0].tip);
 }
 
 TEST(Prune, ThickWoodDoesNotBend) {
   HandMade tree(3);
   tree.branch(2, 6);
   tree.radii.tip_radius = 2;
-  const Bend down{0, 1, -kPi / 2, 1};
+  const BendOperation down{0, 1, -kPi / 2, 1};
   EXPECT_TRUE(tree.work(operation(condition("rank == 1"), down)).bows.empty());
   try {
     tree.work(operation(ShootChoice::label("main.2"), down));
@@ -354,13 +368,15 @@ TEST(Prune, ThickWoodDoesNotBend) {
     EXPECT_EQ(error.diagnostics()[0].path, "components.tree.operations[0].metamers");
     EXPECT_NE(error.diagnostics()[0].message.find("radius of 2 m"), std::string::npos);
   }
-  EXPECT_EQ(tree.work(operation(ShootChoice::label("main.2"), Bend{0, 4, -kPi / 2})).bows.size(), 1U);
+  EXPECT_EQ(tree.work(operation(ShootChoice::label("main.2"), BendOperation{0, 4, -kPi / 2})).bows.size(), 1U);
 }
 
 TEST(Prune, MarksAreByChance) {
   HandMade tree(60);
   for (MetamerIndex at = 1; at <= 50; ++at) tree.branch(at, 1);
-  const auto marked = [&](double chance) { return tree.work(operation(condition("rank == 1"), Mark{chance})).marked; };
+  const auto marked = [&](double chance) {
+    return tree.work(operation(condition("rank == 1"), MarkOperation{chance})).marked;
+  };
   EXPECT_EQ(marked(1).size(), 50U);
   EXPECT_EQ(marked(0).size(), 0U);
   EXPECT_NEAR(static_cast<double>(marked(0.5).size()), 25, 14);  // four standard deviations
@@ -382,7 +398,7 @@ TEST(Prune, ConditionsKnowMarksByTheirWords) {
   EXPECT_EQ(found("diseased"), "main.3:1");
   EXPECT_EQ(found("marked"), "main.2:1 main.3:1");
   EXPECT_EQ(found("rank == 1 && !dead && !diseased"), "main.4:1");
-  const Work marked = tree.work(operation(condition("rank == 1"), Mark{1, 5}));
+  const OperationWork marked = tree.work(operation(condition("rank == 1"), MarkOperation{1, 5}));
   EXPECT_EQ(marked.mark, 5U);
   EXPECT_EQ(marked.marked.size(), 3U);
 }
@@ -391,7 +407,7 @@ TEST(Prune, AStringDrawsShootsToTheGroundOrToEachOther) {
   HandMade tree(6);
   tree.branch(3, 4);
   tree.branch(5, 4);
-  const std::vector<Bow> down = tree.work(operation(ShootChoice::label("main.3"), Tie{.length = 0.5})).bows;
+  const std::vector<Bow> down = tree.work(operation(ShootChoice::label("main.3"), TieOperation{.length = 0.5})).bows;
   ASSERT_EQ(down.size(), 1U);
   const AxisIndex lower = tree.axis("main.3");
   EXPECT_EQ(down[0].first, tree.metamers.find(lower, 1));
@@ -399,26 +415,29 @@ TEST(Prune, AStringDrawsShootsToTheGroundOrToEachOther) {
   EXPECT_EQ(down[0].toward, Vec3(4, 0, 0));
   EXPECT_EQ(down[0].gap, 0.5);
   // Tied lower down, to the nearest point of another shoot.
-  const Operation other = operation(ShootChoice::label("main.5"), Tie{.below = 2, .to = ShootChoice::label("main.3")});
+  const TreeOperation other =
+      operation(ShootChoice::label("main.5"), TieOperation{.below = 2, .to = ShootChoice::label("main.3")});
   const std::vector<Bow> together = tree.work(other).bows;
   ASSERT_EQ(together.size(), 1U);
   EXPECT_EQ(together[0].last, tree.metamers.find(tree.axis("main.5"), 2));
   EXPECT_EQ(together[0].tip, tree.metamers.find(tree.axis("main.5"), 4));
   EXPECT_EQ(together[0].toward, Vec3(2, 3, 0));
   // Neither the stem, nor a shoot to itself.
-  EXPECT_TRUE(tree.work(operation(condition("rank == 0"), Tie{})).bows.empty());
-  const Operation itself = operation(ShootChoice::label("main.5"), Tie{.to = ShootChoice::label("main.5")});
+  EXPECT_TRUE(tree.work(operation(condition("rank == 0"), TieOperation{})).bows.empty());
+  const TreeOperation itself =
+      operation(ShootChoice::label("main.5"), TieOperation{.to = ShootChoice::label("main.5")});
   EXPECT_TRUE(tree.work(itself).bows.empty());
-  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), Tie{.to = ShootChoice::label("main.9")})), InputError);
-  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), Tie{.below = 5})), InputError);
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), TieOperation{.to = ShootChoice::label("main.9")})),
+               InputError);
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), TieOperation{.below = 5})), InputError);
 }
 
 TEST(Prune, ThickWoodIsNotDrawn) {
   HandMade tree(6);
   tree.branch(3, 4);
   tree.radii.tip_radius = 9;
-  EXPECT_TRUE(tree.work(operation(condition("rank == 1"), Tie{})).bows.empty());
-  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.3"), Tie{})), InputError);
+  EXPECT_TRUE(tree.work(operation(condition("rank == 1"), TieOperation{})).bows.empty());
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.3"), TieOperation{})), InputError);
 }
 
 TEST(Draw, BringsTheEndAsNearAsItIsAsked) {
@@ -500,25 +519,25 @@ TEST(WorkRecorder, TellsNothingTwice) {
 TEST(WorkRecorder, TellsWhatElseIsDone) {
   HandMade tree(6);
   tree.branch(3, 4);
-  const auto acts = [&](const Operation& operation) {
+  const auto acts = [&](const TreeOperation& operation) {
     std::string all;
     for (const OperationRecord& record : tree.records(operation)) all += record.act + " " + record.shoot + " ";
     return all;
   };
-  EXPECT_EQ(acts(operation(condition("rank == 1"), Girdle{1})), "ring main.3 ");
-  EXPECT_EQ(acts(operation(condition("rank == 1"), Bend{})), "bend main.3 ");
-  EXPECT_EQ(acts(operation(condition("rank == 1"), Tie{})), "tie main.3 ");
-  EXPECT_EQ(acts(operation(condition("rank == 1"), Mark{})), "mark main.3 ");
-  EXPECT_EQ(acts(operation(ShootChoice::leader(), Layers{.count = 1})), "disbud main disbud main cut main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), GirdleOperation{1})), "ring main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), BendOperation{})), "bend main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), TieOperation{})), "tie main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), MarkOperation{})), "mark main.3 ");
+  EXPECT_EQ(acts(operation(ShootChoice::leader(), LayersOperation{.count = 1})), "disbud main disbud main cut main.3 ");
 }
 
 TEST(Prune, ASchedulesConditionSeesTheTree) {
   HandMade tree(6);
   tree.branch(2, 3);
-  const Leads leads = tree.leads();
+  const TreeLeads leads = tree.leads();
   const TreeState state{tree.metamers, leads, tree.flow, tree.radii, 5, RandomKey(7)};
   const auto met = [&](const char* text) {
-    Schedule when;
+    OperationSchedule when;
     when.when = Expression::compile(text, {tree_variables(), {}});
     return holds(state, when);
   };
@@ -526,9 +545,9 @@ TEST(Prune, ASchedulesConditionSeesTheTree) {
   EXPECT_TRUE(met("leader_length == 6"));
   EXPECT_FALSE(met("height > 6"));
   for (const char* const no_answer : {"1 / 0", "-1 / 0", "0 / 0"}) EXPECT_FALSE(met(no_answer)) << no_answer;
-  EXPECT_TRUE((Schedule{3, 4, 12}.is_in_turn(11)));
-  EXPECT_FALSE((Schedule{3, 4, 12}.is_in_turn(12)));
-  EXPECT_FALSE((Schedule{3, 4, 10}.is_in_turn(11)));
+  EXPECT_TRUE((OperationSchedule{3, 4, 12}.is_in_turn(11)));
+  EXPECT_FALSE((OperationSchedule{3, 4, 12}.is_in_turn(12)));
+  EXPECT_FALSE((OperationSchedule{3, 4, 10}.is_in_turn(11)));
 }
 
 TEST(SupportLine, LeadsBackToItsPole) {

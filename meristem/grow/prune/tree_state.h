@@ -15,7 +15,7 @@ namespace meristem {
 /// A tree as an operation sees it, after the growth of `iteration`. All referenced objects must outlive it.
 struct TreeState {
   const Metamers& metamers;
-  const Leads& leads;
+  const TreeLeads& leads;
   const ResourceFlow& flow;  ///< at the begin of the iteration, without new metamers
   const PipeModel& radii;
   int iteration = 1;

@@ -9,8 +9,8 @@ namespace meristem {
 
 namespace {
 
-Work mark(const TreeState& tree, const Mark& what, const std::vector<Shoot>& shoots) {
-  Work work;
+OperationWork mark(const TreeState& tree, const MarkOperation& what, const std::vector<Shoot>& shoots) {
+  OperationWork work;
   work.mark = what.state;
   for (const Shoot& shoot : shoots) {
     const RandomKey key = tree.key.child(tree.metamers.axes[shoot.axis].key.bits());
@@ -21,17 +21,17 @@ Work mark(const TreeState& tree, const Mark& what, const std::vector<Shoot>& sho
 
 }  // namespace
 
-Work find_work(const TreeState& tree, const Operation& operation) {
-  if (const auto* layers = std::get_if<Layers>(&operation.what)) return layer(tree, *layers);
-  if (std::holds_alternative<Support>(operation.what)) return {};
+OperationWork find_work(const TreeState& tree, const TreeOperation& operation) {
+  if (const auto* layers = std::get_if<LayersOperation>(&operation.what)) return layer(tree, *layers);
+  if (std::holds_alternative<TrainingSupport>(operation.what)) return {};
   const std::vector<Shoot> shoots = choose_shoots(tree, operation);
-  if (const auto* what = std::get_if<Cut>(&operation.what)) return cut(tree, operation, *what, shoots);
-  if (const auto* what = std::get_if<Spur>(&operation.what)) return spur(tree, *what, shoots);
-  if (const auto* what = std::get_if<Limit>(&operation.what)) return limit(*what, shoots);
-  if (const auto* what = std::get_if<Girdle>(&operation.what)) return girdle(operation, *what, shoots);
-  if (const auto* what = std::get_if<Bend>(&operation.what)) return bend(tree, operation, *what, shoots);
-  if (const auto* what = std::get_if<Tie>(&operation.what)) return tie(tree, operation, *what, shoots);
-  return mark(tree, std::get<Mark>(operation.what), shoots);
+  if (const auto* what = std::get_if<CutOperation>(&operation.what)) return cut(tree, operation, *what, shoots);
+  if (const auto* what = std::get_if<SpurOperation>(&operation.what)) return spur(tree, *what, shoots);
+  if (const auto* what = std::get_if<LimitOperation>(&operation.what)) return limit(tree, *what, shoots);
+  if (const auto* what = std::get_if<GirdleOperation>(&operation.what)) return girdle(operation, *what, shoots);
+  if (const auto* what = std::get_if<BendOperation>(&operation.what)) return bend(tree, operation, *what, shoots);
+  if (const auto* what = std::get_if<TieOperation>(&operation.what)) return tie(tree, operation, *what, shoots);
+  return mark(tree, std::get<MarkOperation>(operation.what), shoots);
 }
 
 }  // namespace meristem

@@ -30,7 +30,7 @@ struct Bow {
 };
 
 /// The effects, in the order of application.
-struct Work {
+struct OperationWork {
   std::vector<AxisIndex> marked;      ///< axes that get a mark
   std::uint32_t mark = 0;             ///< number of the mark
   std::vector<AxisIndex> headless;    ///< axes that must not be succeeded
@@ -39,21 +39,25 @@ struct Work {
   std::vector<MetamerIndex> gone;     ///< metamers that are removed with everything that they bear
   std::vector<Ring> rings;
   std::vector<Bow> bows;
+  double stub = 0;      ///< length of the stubs that stay of removed metamers, as a share of the metamer
   bool renews = false;  ///< true: lateral buds of removed shoots may grow again, like those at the base of a spur
 };
 
 /// Returns the effects of `operation` on a tree. Throws InputError at its document path if it names a shoot that does
 /// not exist, or if a named shoot has nothing to remove.
-Work find_work(const TreeState& tree, const Operation& operation);
+OperationWork find_work(const TreeState& tree, const TreeOperation& operation);
 
 // The kinds of operations. `shoots` are the chosen shoots.
 
-Work cut(const TreeState& tree, const Operation& operation, const Cut& what, const std::vector<Shoot>& shoots);
-Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots);
-Work limit(const Limit& what, const std::vector<Shoot>& shoots);
-Work girdle(const Operation& operation, const Girdle& what, const std::vector<Shoot>& shoots);
-Work bend(const TreeState& tree, const Operation& operation, const Bend& what, const std::vector<Shoot>& shoots);
-Work tie(const TreeState& tree, const Operation& operation, const Tie& what, const std::vector<Shoot>& shoots);
-Work layer(const TreeState& tree, const Layers& what);
+OperationWork cut(const TreeState& tree, const TreeOperation& operation, const CutOperation& what,
+                  const std::vector<Shoot>& shoots);
+OperationWork spur(const TreeState& tree, const SpurOperation& what, const std::vector<Shoot>& shoots);
+OperationWork limit(const TreeState& tree, const LimitOperation& what, const std::vector<Shoot>& shoots);
+OperationWork girdle(const TreeOperation& operation, const GirdleOperation& what, const std::vector<Shoot>& shoots);
+OperationWork bend(const TreeState& tree, const TreeOperation& operation, const BendOperation& what,
+                   const std::vector<Shoot>& shoots);
+OperationWork tie(const TreeState& tree, const TreeOperation& operation, const TieOperation& what,
+                  const std::vector<Shoot>& shoots);
+OperationWork layer(const TreeState& tree, const LayersOperation& what);
 
 }  // namespace meristem

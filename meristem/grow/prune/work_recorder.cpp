@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-std::vector<WorkRecorder::Noted> WorkRecorder::note(const Work& work) const {
+std::vector<WorkRecorder::Noted> WorkRecorder::note(const OperationWork& work) const {
   const Metamers& metamers = tree_.metamers;
   std::vector<Noted> noted;
   for (const AxisIndex axis : work.marked) noted.push_back(at_base(metamers.axes[axis].first, "mark"));

@@ -19,7 +19,7 @@ class WorkRecorder {
   using RadiusOf = std::function<double(MetamerIndex)>;
 
   /// `number` is the number of the tree's root. `radius_of` is called for few metamers.
-  WorkRecorder(const TreeState& tree, const Operation& operation, std::uint32_t number, RadiusOf radius_of)
+  WorkRecorder(const TreeState& tree, const TreeOperation& operation, std::uint32_t number, RadiusOf radius_of)
       : tree_(tree), operation_(operation), number_(number), radius_of_(std::move(radius_of)) {}
 
   struct Noted {
@@ -27,8 +27,9 @@ class WorkRecorder {
     OperationRecord record;
     double section = 0;  ///< cross-section of the cut wood, square metres; 0 for other operations
   };
-  /// Returns a record for each effect, in the order of Work. Cost: proportional to the effects, not to the tree.
-  std::vector<Noted> note(const Work& work) const;
+  /// Returns a record for each effect, in the order of OperationWork. Cost: proportional to the effects, not to the
+  /// tree.
+  std::vector<Noted> note(const OperationWork& work) const;
 
  private:
   Noted at_end(MetamerIndex metamer, const char* act) const;
@@ -36,7 +37,7 @@ class WorkRecorder {
   Noted cut(MetamerIndex first, std::vector<MetamerIndex>& beyond) const;
 
   TreeState tree_;
-  const Operation& operation_;
+  const TreeOperation& operation_;
   std::uint32_t number_;
   RadiusOf radius_of_;
 };

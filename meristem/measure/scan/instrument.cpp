@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Published figures of one well-known scanner per class. instrument.h names the sources. The terrestrial scanner has
-// the default values of Instrument, and the other classes change what differs.
+// the default values of ScanInstrument, and the other classes change what differs.
 #include "meristem/measure/scan/instrument.h"
 
 namespace meristem {
@@ -11,8 +11,8 @@ constexpr double kWholeRange = 1000;  // resolution in metres that mixes all sur
 
 }  // namespace
 
-Instrument instrument_of(ScannerClass kind) {
-  Instrument made{.kind = kind};
+ScanInstrument instrument_of(ScannerClass kind) {
+  ScanInstrument made{.kind = kind};
   switch (kind) {
     case ScannerClass::terrestrial:
       break;

@@ -16,7 +16,7 @@ enum class ScannerClass {
 };
 
 /// The properties of a scanner. Angles are in radians.
-struct Instrument {
+struct ScanInstrument {
   ScannerClass kind = ScannerClass::terrestrial;  ///< class of the scanner
 
   // The directions of the pulses.
@@ -45,7 +45,7 @@ struct Instrument {
   double nearest = 1.5;     ///< minimum range, metres
   double farthest = 350;    ///< maximum range, metres
 
-  bool operator==(const Instrument&) const = default;
+  bool operator==(const ScanInstrument&) const = default;
 
   /// Returns the width of the beam at a distance, in metres: 4 times the standard deviation of its strength across. For
   /// a Gaussian beam this is the diameter at 1/e².
@@ -60,6 +60,6 @@ struct Instrument {
 /// | phase | FARO Focus3D X 130, data sheet; a quarter of the full resolution |
 /// | drone | RIEGL VUX-1UAV, data sheet; the exit diameter is not published |
 /// | depth_camera | Microsoft Kinect: C. Nguyen, S. Izadi, D. Lovell, 2012 (noise), without their offset of 0.4 m |
-Instrument instrument_of(ScannerClass kind);
+ScanInstrument instrument_of(ScannerClass kind);
 
 }  // namespace meristem

@@ -27,7 +27,7 @@
 #include "meristem/base/random.h"
 #include "meristem/measure/scan/beam.h"
 #include "meristem/measure/scan/scan_pattern.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 
@@ -237,7 +237,7 @@ struct Scanner::Parts {
 
     // Cut the echoes where they are farther apart than the instrument's resolution, and keep returns that are strong
     // enough.
-    const Instrument& instrument = options.instrument;
+    const ScanInstrument& instrument = options.instrument;
     std::array<Return, kMaxReturns> returns;
     std::size_t count = 0;
     const std::size_t max = std::min(kMaxReturns, static_cast<std::size_t>(instrument.returns));
@@ -265,7 +265,7 @@ struct Scanner::Parts {
   }
 };
 
-Scanner::Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+Scanner::Scanner(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const ScanOptions& options,
                  Progress& progress) {
   Layout layout = layout_of(meshes, options);  // checks the options before any work
   auto parts = std::make_unique<Parts>(PlantLabels(plant, limits, progress), meshes, options, std::move(layout));
@@ -338,7 +338,7 @@ Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t max_poi
   return made;
 }
 
-Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+Scan scan(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress, std::uint64_t max_points) {
   return take_scan(Scanner(plant, limits, meshes, options, progress), progress, max_points);
 }

@@ -15,7 +15,7 @@
 #include "meristem/measure/scan/instrument.h"
 #include "meristem/measure/surface_labels.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -36,7 +36,7 @@ struct ScanPoint {
 
 /// The instrument, the positions and the surroundings of a scan.
 struct ScanOptions {
-  Instrument instrument{};  ///< the scanner
+  ScanInstrument instrument{};  ///< the scanner
   /// Positions of the scanner, metres. If empty, `around` positions are used, all around the plants. A drone flies
   /// lines over the plants instead.
   std::vector<Vec3> stations{};
@@ -57,7 +57,7 @@ class Scanner {
   /// foliage.h), since pulses pass through the holes. Begins a stage of `progress`. Throws InputError if a limit is
   /// exceeded, if there are too many pulses, or if a drone would fly into the scene. Also throws Cancelled and
   /// MachineError (memory).
-  Scanner(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+  Scanner(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress);
   /// Like the constructor above, with labels that were read from the plant before. The plant may already be freed.
   Scanner(PlantLabels&& labels, const MeshScene& meshes, const ScanOptions& options, Progress& progress);
@@ -95,7 +95,7 @@ struct Scan {
 Scan take_scan(const Scanner& scanner, Progress& progress, std::uint64_t max_points = 200'000'000);
 
 /// Prepares and takes a scan.
-Scan scan(const Plant& plant, const Limits& limits, const MeshScene& meshes, const ScanOptions& options,
+Scan scan(const Plant& plant, const SizeLimits& limits, const MeshScene& meshes, const ScanOptions& options,
           Progress& progress, std::uint64_t max_points = 200'000'000);
 
 /// Records which shoots have points.

@@ -24,7 +24,7 @@ std::uint64_t steps_in(double length, double step) {
 
 }  // namespace
 
-std::vector<Vec3> stations_around(const Box& box, int count, const Instrument& instrument) {
+std::vector<Vec3> stations_around(const Box& box, int count, const ScanInstrument& instrument) {
   const DVec3 middle = box.is_empty() ? DVec3(0) : DVec3(box.centre());
   const DVec3 size = box.size();
   const double half = 0.5 * std::sqrt(size.x * size.x + size.z * size.z);
@@ -55,7 +55,7 @@ std::vector<ScanPattern::Turn> ScanPattern::turns(double first, double step, std
   return made;
 }
 
-ScanPattern::ScanPattern(const Instrument& instrument, std::vector<Vec3> stations, Vec3 target, const Box& box)
+ScanPattern::ScanPattern(const ScanInstrument& instrument, std::vector<Vec3> stations, Vec3 target, const Box& box)
     : kind_(instrument.kind), stations_(std::move(stations)) {
   if (kind_ == ScannerClass::drone) {
     plan_lines(instrument, box);
@@ -66,7 +66,7 @@ ScanPattern::ScanPattern(const Instrument& instrument, std::vector<Vec3> station
   }
 }
 
-void ScanPattern::plan_sweeps(const Instrument& instrument) {
+void ScanPattern::plan_sweeps(const ScanInstrument& instrument) {
   const std::uint64_t sweeps = std::max<std::uint64_t>(1, steps_in(2 * kPi, instrument.step));
   slow_ = turns(0, instrument.step, sweeps);
   per_row_ = 1 + steps_in(instrument.highest - instrument.lowest, instrument.step);
@@ -74,7 +74,7 @@ void ScanPattern::plan_sweeps(const Instrument& instrument) {
   per_station_ = sweeps * per_row_;
 }
 
-void ScanPattern::plan_lines(const Instrument& instrument, const Box& box) {
+void ScanPattern::plan_lines(const ScanInstrument& instrument, const Box& box) {
   const double cosine = math::cos(instrument.heading);
   const double sine = math::sin(instrument.heading);
   const DVec3 ahead(sine, 0, -cosine);
@@ -98,7 +98,7 @@ void ScanPattern::plan_lines(const Instrument& instrument, const Box& box) {
   }
 }
 
-void ScanPattern::plan_pixels(const Instrument& instrument, Vec3 target) {
+void ScanPattern::plan_pixels(const ScanInstrument& instrument, Vec3 target) {
   per_row_ = static_cast<std::uint64_t>(instrument.columns);
   per_station_ = per_row_ * static_cast<std::uint64_t>(instrument.rows);
   const double width = 2 * math::tan(0.5 * instrument.field);

@@ -20,14 +20,14 @@ struct Pulse {
 /// Returns `count` positions around a box, spread evenly about its middle, the first in the north. Scanners on tripods
 /// stand 1.6 m above y = 0. Their distance from the box is its width, or half of its height if that is more. Depth
 /// cameras stand where the box fills the picture, or as far away as their range allows.
-std::vector<Vec3> stations_around(const Box& box, int count, const Instrument& instrument);
+std::vector<Vec3> stations_around(const Box& box, int count, const ScanInstrument& instrument);
 
 /// All pulses of a scan, numbered station by station in the order of time.
 class ScanPattern {
  public:
   /// A drone flies over `box`, and its lines are the stations. All other scanners use `stations`. Depth cameras look at
   /// `target`.
-  ScanPattern(const Instrument& instrument, std::vector<Vec3> stations, Vec3 target, const Box& box);
+  ScanPattern(const ScanInstrument& instrument, std::vector<Vec3> stations, Vec3 target, const Box& box);
 
   std::uint64_t pulse_count() const { return station_count() * per_station_; }
   std::uint64_t pulses_per_station() const { return per_station_; }
@@ -41,9 +41,9 @@ class ScanPattern {
     double cosine, sine;
   };
   static std::vector<Turn> turns(double first, double step, std::uint64_t count);
-  void plan_sweeps(const Instrument& instrument);
-  void plan_lines(const Instrument& instrument, const Box& box);
-  void plan_pixels(const Instrument& instrument, Vec3 target);
+  void plan_sweeps(const ScanInstrument& instrument);
+  void plan_lines(const ScanInstrument& instrument, const Box& box);
+  void plan_pixels(const ScanInstrument& instrument, Vec3 target);
 
   ScannerClass kind_;
   std::vector<Vec3> stations_;

@@ -12,7 +12,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/scan/beam.h"
 #include "meristem/plant/plant_variant.h"
-#include "meristem/shape/ray_meshes.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/assembly/ray_meshes.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_plants.h"
 
@@ -27,8 +28,8 @@ void add_organ(Plant& plant, const std::string& component, Mesh mesh, Vec3 posit
 }
 
 /// Returns a camera without noise whose beams have no width.
-Instrument plain_camera(double field_deg, int columns, int rows) {
-  Instrument camera = instrument_of(ScannerClass::depth_camera);
+ScanInstrument plain_camera(double field_deg, int columns, int rows) {
+  ScanInstrument camera = instrument_of(ScannerClass::depth_camera);
   camera.field = radians(field_deg);
   camera.columns = columns;
   camera.rows = rows;
@@ -106,7 +107,7 @@ TEST(Scan, RaysOfABeamHaveItsMeanSquareDistance) {
 TEST(Scan, FootprintsAreAsWideAsTheBeam) {
   Plant plant;
   add_organ(plant, "plate", make_box({1, 4, 0.1F}), {-0.5F, -2, -0.05F});
-  Instrument scanner = plain_camera(0.4, 140, 250);
+  ScanInstrument scanner = plain_camera(0.4, 140, 250);
   scanner.divergence = 0.35;
   scanner.exit_diameter = 0.007;
   scanner.rays = 19;
@@ -138,7 +139,7 @@ Plant plate_before_wall() {
 
 TEST(Scan, EdgesGiveTwoReturnsOrOneBetweenTheSurfaces) {
   const Plant plant = plate_before_wall();
-  Instrument scanner = plain_camera(0.2, 60, 1);
+  ScanInstrument scanner = plain_camera(0.2, 60, 1);
   scanner.divergence = 0.35;
   scanner.rays = 19;
   scanner.resolution = 0.8;
@@ -171,7 +172,7 @@ TEST(Scan, EdgesGiveTwoReturnsOrOneBetweenTheSurfaces) {
 TEST(Scan, NoiseHasTheDeviationOfTheInstrument) {
   Plant plant;
   add_organ(plant, "wall", make_box({40, 40, 0.1F}), {0, -20, -0.05F});
-  Instrument scanner = plain_camera(20, 60, 60);
+  ScanInstrument scanner = plain_camera(20, 60, 60);
   scanner.noise = 0.004;
   scanner.noise_growth = 0.00006;
   const Scan made = scan_of(plant, {.instrument = scanner, .stations = {Vec3(0, 0, 10)}, .target = Vec3(0)});
@@ -249,7 +250,7 @@ bool are_equal(const ScanPoint& a, const ScanPoint& b) {
 TEST(Scan, IsTheSameOnAnyNumberOfThreads) {
   Plant plant = two_stems();
   plant.materials.emplace_back();
-  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  ScanInstrument scanner = instrument_of(ScannerClass::terrestrial);
   scanner.step = radians(1.5);
   scanner.rays = 7;
   const ScanOptions options{.instrument = scanner, .around = 2, .ground = true, .seed = 3};
@@ -272,7 +273,7 @@ TEST(Scan, IsTheSameOnAnyNumberOfThreads) {
 TEST(Scan, DronesFlyLinesOverThePlants) {
   Plant plant;
   add_organ(plant, "table", make_box({8, 1, 4}), {0, 0, 0});
-  Instrument drone = instrument_of(ScannerClass::drone);
+  ScanInstrument drone = instrument_of(ScannerClass::drone);
   drone.step = radians(1);
   drone.advance = 0.5;
   drone.line_spacing = 4;
@@ -291,7 +292,7 @@ TEST(Scan, DronesFlyLinesOverThePlants) {
 }
 
 TEST(Scan, OfNothingHasNoPoints) {
-  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  ScanInstrument scanner = instrument_of(ScannerClass::terrestrial);
   scanner.step = radians(5);
   EXPECT_TRUE(scan_of({}, {.instrument = scanner}).points.empty());
 }
@@ -301,7 +302,7 @@ TEST(Scan, RefusesTooManyPulsesBeforeItPreparesAnything) {
   add_organ(plant, "wall", make_box({4, 4, 0.1F}), {0, 0, 0});
   Progress growing;
   const MeshScene meshes = make_mesh_scene(plant, {}, growing);
-  Instrument scanner = instrument_of(ScannerClass::terrestrial);
+  ScanInstrument scanner = instrument_of(ScannerClass::terrestrial);
   scanner.step = radians(0.002);
   Progress stopped;
   stopped.cancel();  // ends all preparations

@@ -7,8 +7,8 @@
 #include "meristem/base/progress.h"
 #include "meristem/output/write/encoded_pictures.h"
 #include "meristem/output/write/provenance.h"
-#include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/moving/moving_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -112,9 +112,9 @@ class LayoutBuilder {
   /// Adds instances of the scene's mesh number `k` to a plant: `members`, or all if `members` is empty.
   void add(std::size_t plant, std::size_t k, std::span<const std::uint32_t> members) {
     const MeshInstances& instances = scene_.meshes[k];
-    const auto [entry, is_new] = component_indices_.try_emplace(std::pair(plant, std::string_view(instances.component)),
-                                                                layout_.components.size());
-    if (is_new) layout_.components.push_back({instances.component, plant, GltfComponent::kNoMesh, {}});
+    const auto [entry, is_new] = component_indices_.try_emplace(
+        std::tuple(plant, std::string_view(instances.component), instances.is_crown), layout_.components.size());
+    if (is_new) layout_.components.push_back({object_name(instances), plant, GltfComponent::kNoMesh, {}});
     const MeshMotion* const motion = moving_ != nullptr ? &moving_->motions[k] : nullptr;
     if (motion != nullptr && motion->kind != MeshMotion::Kind::still) {
       move(entry->second, k, *motion, members);
@@ -150,12 +150,13 @@ class LayoutBuilder {
     }
     for (std::size_t p = 0; p < layout_.placed.size(); ++p) {
       layout_.placed[p].first_component = layout_.components.size();
-      std::map<std::string_view, std::size_t> component_indices;
+      std::map<std::pair<std::string_view, bool>, std::size_t> component_indices;
       for (const std::size_t k : meshes[p]) {
         const MeshInstances& instances = scene_.meshes[k];
-        const auto [entry, is_new] = component_indices.try_emplace(instances.component, layout_.components.size());
+        const auto [entry, is_new] = component_indices.try_emplace(
+            std::pair(std::string_view(instances.component), instances.is_crown), layout_.components.size());
         if (is_new) {
-          layout_.components.push_back({instances.component, GltfComponent::kNoPlant, GltfComponent::kNoMesh, {}});
+          layout_.components.push_back({object_name(instances), GltfComponent::kNoPlant, GltfComponent::kNoMesh, {}});
         }
         if (layout_.has_instance_rows && instances.frames.size() > 1) {
           share(entry->second, k, {});
@@ -238,7 +239,7 @@ class LayoutBuilder {
     const GltfPiece piece{instances.mesh.get(), instances.frames, instances.tints, members, origin_of(component)};
     std::size_t& mesh = layout_.components[component].baked_mesh;
     if (mesh == GltfComponent::kNoMesh) {
-      mesh = add_mesh(instances.component);
+      mesh = add_mesh(object_name(instances));
     }
     const std::size_t material = material_of(instances, kNone);
     add_piece(layout_.meshes[mesh], material, piece, layout_.factors[instances.material].varies);
@@ -259,7 +260,7 @@ class LayoutBuilder {
     const auto fits = [&](const GltfMovingMesh& known) { return known.shown_at == shown_at; };
     auto found = std::find_if(moving.begin(), moving.end(), fits);
     if (found == moving.end()) {
-      found = moving.insert(moving.end(), {add_mesh(instances.component, !is_shown), shown_at});
+      found = moving.insert(moving.end(), {add_mesh(object_name(instances), !is_shown), shown_at});
     }
     GltfPiece piece{instances.mesh.get(), instances.frames, instances.tints, members, origin_of(component)};
     if (!is_shown) piece.motion = &motion;
@@ -326,7 +327,7 @@ class LayoutBuilder {
     const MeshInstances& instances = scene_.meshes[k];
     const bool has_palette = !layout_.has_instance_rows && !palettes_[instances.material].colours.empty();
     const std::size_t material = material_of(instances, has_palette ? group : kNone);
-    add_mesh(instances.component);
+    add_mesh(object_name(instances));
     const std::span<const Frame> frame = is_group_mirrored(group) ? kMirror : kIdentity;
     add_piece(layout_.meshes.back(), material, {instances.mesh.get(), frame, {}, {}, Vec3(0)}, false);
     return entry->second;
@@ -359,7 +360,8 @@ class LayoutBuilder {
   bool bakes_all_ = false;
   GltfLayout layout_;
   std::vector<std::size_t> plant_of_individual_;
-  std::map<std::pair<std::size_t, std::string_view>, std::size_t> component_indices_;  // indexed by plant and name
+  // Indexed by plant, component, and whether it is a crown body.
+  std::map<std::tuple<std::size_t, std::string_view, bool>, std::size_t> component_indices_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared_meshes_;  // indexed by mesh of the scene and group
   std::vector<Palette> palettes_;                                             // for each material of the scene
   std::vector<std::size_t> first_tint_;  // for each mesh of the scene, its first tint in the palette

@@ -15,8 +15,8 @@
 #include "meristem/base/progress.h"
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/write/colour_factors.h"
-#include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/moving/moving_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

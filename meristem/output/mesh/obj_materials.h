@@ -8,7 +8,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/write/colour_factors.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

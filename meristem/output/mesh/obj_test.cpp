@@ -30,7 +30,7 @@ std::string content_of(const fs::path& path) {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-std::vector<std::uint8_t> pixels_of(const fs::path& path) { return read_image(path.string(), Limits()).rgba; }
+std::vector<std::uint8_t> pixels_of(const fs::path& path) { return read_image(path.string(), SizeLimits()).rgba; }
 
 /// One corner of a face, as indices from 0, or -1 for missing attributes.
 struct Corner {

@@ -17,6 +17,7 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
+#include "meristem/output/mesh/shared_vertices.h"
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/append_bytes.h"
 #include "meristem/output/write/block_writer.h"
@@ -54,15 +55,27 @@ std::uint8_t byte_of(float channel) {
 
 class MeshPly {
  public:
-  MeshPly(const MeshScene& scene, const SurfaceLabels* labels, AtomicFile& file, Progress& progress)
-      : scene_(scene), labels_(labels), file_(file), writer_(file, progress) {
+  MeshPly(const MeshScene& scene, const PlyOptions& options, AtomicFile& file, Progress& progress)
+      : scene_(scene), labels_(options.labels), file_(file), writer_(file, progress) {
     for (const MeshInstances& instances : scene.meshes) {
-      has_normals_ |= !instances.mesh->normals.empty();
-      has_uvs_ |= !instances.mesh->uvs.empty();
+      progress.check();
+      if (options.shared_vertices) {
+        shared_.push_back(share_vertices(*instances.mesh, false));
+      } else {
+        has_normals_ |= !instances.mesh->normals.empty();
+        has_uvs_ |= !instances.mesh->uvs.empty();
+      }
       if (components_.empty() || components_.back() != instances.component) {
         components_.push_back(instances.component);
       }
     }
+  }
+
+  /// Returns the number of vertices of all instances in the file.
+  std::uint64_t vertex_count() const {
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < scene_.meshes.size(); ++k) count += vertex_count(k) * scene_.meshes[k].count();
+    return count;
   }
 
   void write_header(const Provenance& provenance, std::uint64_t vertices) {
@@ -96,11 +109,11 @@ class MeshPly {
                 : tail_of(srgb_from_linear(linear_from_srgb(colour) * instances.tint(frame)), component);
         const Frame place = instances.frame(frame);
         for (std::size_t v = first; v < last; ++v) {
-          append_vertex(*instances.mesh, place, v, out);
+          append_vertex(*instances.mesh, place, shared_.empty() ? v : shared_[k].first[v], out);
           out += tail;
         }
       };
-      write_for_frames(writer_, instances.count(), instances.mesh->vertex_count(), kMaxVertexBytes, fill);
+      write_for_frames(writer_, instances.count(), vertex_count(k), kMaxVertexBytes, fill);
     }
   }
 
@@ -110,18 +123,20 @@ class MeshPly {
       const MeshInstances& instances = scene_.meshes[part];
       const Mesh& mesh = *instances.mesh;
       const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
-        const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
+        const auto offset = static_cast<std::uint32_t>(base + frame * vertex_count(part));
         const bool flips = is_mirrored(instances.frame(frame));
         for (std::size_t t = first; t < last; ++t) {
           auto [a, b, c] = mesh.triangles[t];
           if (flips) std::swap(b, c);
+          for (std::uint32_t* vertex : {&a, &b, &c})
+            *vertex = shared_.empty() ? *vertex : shared_[part].number[*vertex];
           out += '\3';
           append_bytes(out, std::array{offset + a, offset + b, offset + c});
           if (labels_ != nullptr) append_label(part, frame, t, out);
         }
       };
       write_for_frames(writer_, instances.count(), mesh.triangle_count(), kFaceBytes, fill);
-      base += mesh.vertex_count() * instances.count();
+      base += vertex_count(part) * instances.count();
     }
   }
 
@@ -134,6 +149,10 @@ class MeshPly {
   }
 
  private:
+  std::size_t vertex_count(std::size_t mesh) const {
+    return shared_.empty() ? scene_.meshes[mesh].mesh->vertex_count() : shared_[mesh].first.size();
+  }
+
   static constexpr std::size_t kMaxVertexBytes = 8 * 4 + 3 + 4;
   static constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 3 + 4 * 4;
   static constexpr std::size_t kLongestLabelText = 255;
@@ -170,6 +189,7 @@ class MeshPly {
   AtomicFile& file_;
   BlockWriter writer_;
   std::vector<std::string> components_;
+  std::vector<SharedVertices> shared_;  // for each mesh; empty if faces do not share vertices
   bool has_normals_ = false;
   bool has_uvs_ = false;
 };
@@ -251,16 +271,13 @@ std::size_t edge_count(const Plant& plant) {
 }  // namespace
 
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress) {
-  std::uint64_t vertices = 0;
-  for (const MeshInstances& instances : scene.meshes) {
-    vertices += instances.mesh->vertex_count() * instances.count();
-  }
-  check_count("vertices", vertices);
   require_finite(scene);
+  AtomicFile file(path);
+  MeshPly ply(scene, options, file, progress);
+  const std::uint64_t vertices = ply.vertex_count();
+  check_count("vertices", vertices);
   check_count("triangles", scene.triangle_count());
   progress.begin("writing PLY", vertices + scene.triangle_count());
-  AtomicFile file(path);
-  MeshPly ply(scene, options.labels, file, progress);
   ply.write_header(options.provenance, vertices);
   ply.write_vertices();
   ply.write_faces();
@@ -268,8 +285,8 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
   file.commit();
 }
 
-void write_skeleton_ply(const Plant& grown, const Limits& limits, const std::string& path, const PlyOptions& options,
-                        Progress& progress) {
+void write_skeleton_ply(const Plant& grown, const SizeLimits& limits, const std::string& path,
+                        const PlyOptions& options, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   const Plant& plant = *expanded;
   require_finite(plant);

@@ -8,7 +8,7 @@
 #include "meristem/measure/surface_labels.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -16,6 +16,8 @@ namespace meristem {
 struct PlyOptions {
   Provenance provenance;                  ///< written as comments
   const SurfaceLabels* labels = nullptr;  ///< labels of the meshes; null: faces have no labels
+  bool shared_vertices = false;           ///< if true, leaves out normals and texture coordinates, and faces share
+                                          ///< vertices, so that closed meshes are closed by their indices
 };
 
 /// Writes `scene` as one mesh in binary little-endian PLY, in metres, y up.
@@ -27,15 +29,17 @@ struct PlyOptions {
 /// `int`, -1 if there is no such object. An element `shoot` then has the label of each shoot, `list uchar uchar label`.
 /// Instances are flattened.
 ///
-/// Streams: memory beyond the scene stays below 64 MB. The file appears whole or not at all. "-" is standard output.
-/// Throws MachineError (path, disk), InputError for more vertices than an `int` can count, Cancelled.
+/// Streams: memory beyond the scene stays below 64 MB, or with shared vertices 8 bytes per vertex more. The file
+/// appears whole or not at all. "-" is standard output. Throws MachineError (path, disk) and Cancelled. Throws
+/// InputError for numbers that are not finite, and for more vertices or triangles than an `int` can count.
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress);
 
 /// Writes the skeletons of `plant` as points and edges in binary little-endian PLY, in metres, y up. A vertex has the
 /// columns of SkeletonTable, `x y z radius` first, and `label` as a text. The column `node` is left out, because it is
 /// the number of the vertex. `parent` is a vertex or -1, `component` an index as above, and NaN marks unknown values.
-/// An edge is `vertex1 vertex2`, from parent to child. Streams, throws and appears like write_mesh_ply.
-void write_skeleton_ply(const Plant& plant, const Limits& limits, const std::string& path, const PlyOptions& options,
-                        Progress& progress);
+/// An edge is `vertex1 vertex2`, from parent to child. Plantings are expanded first, within `limits`. Streams, throws
+/// and appears like write_mesh_ply.
+void write_skeleton_ply(const Plant& plant, const SizeLimits& limits, const std::string& path,
+                        const PlyOptions& options, Progress& progress);
 
 }  // namespace meristem

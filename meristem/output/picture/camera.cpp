@@ -96,7 +96,7 @@ std::optional<Vec2> Camera::project(Vec3 point) const {
   return Vec2(glm::dot(offset, right_) / (depth * half_width_), glm::dot(offset, up_) / (depth * half_height_));
 }
 
-Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
+Camera place_camera(const MeshScene& scene, const CameraView& view, double aspect) {
   if (view.position && view.target) return {*view.position, *view.target, view.field_of_view, aspect};
   if (view.position) {
     const Box box = scene.bounds();
@@ -132,7 +132,7 @@ Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
   return {position, position - backward, view.field_of_view, aspect};
 }
 
-View placed_view(const MeshScene& scene, View view, double aspect) {
+CameraView placed_view(const MeshScene& scene, CameraView view, double aspect) {
   const Camera camera = place_camera(scene, view, aspect);
   view.position = camera.position();
   if (!view.target) view.target = camera.position() + camera.direction({0, 0});

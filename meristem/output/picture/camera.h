@@ -34,10 +34,10 @@ class Camera {
 /// Returns the camera of `view`. If the view has no position, the camera stands as near as possible, in the direction
 /// of the view's azimuth and altitude, so that `scene` stays clear of the picture's border. The plant is in the middle
 /// unless the view has a target.
-Camera place_camera(const MeshScene& scene, const View& view, double aspect);
+Camera place_camera(const MeshScene& scene, const CameraView& view, double aspect);
 
 /// Returns `view` with the position and target that place_camera chooses, so that the view stays while the plant
 /// changes.
-View placed_view(const MeshScene& scene, View view, double aspect);
+CameraView placed_view(const MeshScene& scene, CameraView view, double aspect);
 
 }  // namespace meristem

@@ -60,7 +60,7 @@ TEST(Camera, FramesEverythingTightlyFromAnyDirection) {
     for (const double azimuth : {0.0, 1.0, 2.6, 5.0}) {
       for (const double altitude : {-0.3, 0.12, 1.0, kPi / 2}) {
         for (const double aspect : {0.5, 1.0, 2.0}) {
-          View view;
+          CameraView view;
           view.azimuth = azimuth;
           view.altitude = altitude;
           const float farthest = farthest_from_middle(scene, place_camera(scene, view, aspect));
@@ -74,7 +74,7 @@ TEST(Camera, FramesEverythingTightlyFromAnyDirection) {
 
 TEST(Camera, SeesEverythingWithAGivenTarget) {
   const MeshScene scene = specks(300, Vec3(2));
-  View view;
+  CameraView view;
   view.target = Vec3(1, 1, 0);
   const Camera camera = place_camera(scene, view, 1);
   EXPECT_LT(farthest_from_middle(scene, camera), 1);
@@ -82,7 +82,7 @@ TEST(Camera, SeesEverythingWithAGivenTarget) {
 }
 
 TEST(Camera, StandsWhereItIsTold) {
-  View view;
+  CameraView view;
   view.position = Vec3(7, 8, 9);
   view.target = Vec3(1, 2, 3);
   const Camera camera = place_camera(specks(3, Vec3(1)), view, 1);
@@ -93,7 +93,7 @@ TEST(Camera, StandsWhereItIsTold) {
 TEST(Camera, APlacedViewStaysWhileThePlantGrows) {
   const MeshScene large = specks(300, Vec3(3));
   for (const std::optional<Vec3> target : {std::optional<Vec3>(), std::optional<Vec3>(Vec3(0, 1, 0))}) {
-    View view;
+    CameraView view;
     view.target = target;
     const Camera expected = place_camera(large, view, 1.5);
     const Camera later = place_camera(specks(10, Vec3(1)), placed_view(large, view, 1.5), 1.5);
@@ -103,7 +103,7 @@ TEST(Camera, APlacedViewStaysWhileThePlantGrows) {
 }
 
 TEST(Camera, AzimuthSaysWhereItStands) {
-  View view;
+  CameraView view;
   view.azimuth = radians(90);
   view.altitude = 0;
   const Camera camera = place_camera(specks(100, Vec3(1)), view, 1);
@@ -112,7 +112,7 @@ TEST(Camera, AzimuthSaysWhereItStands) {
 }
 
 TEST(Camera, FindsAPlaceForAnEmptyScene) {
-  const Camera camera = place_camera(MeshScene(), View(), 1);
+  const Camera camera = place_camera(MeshScene(), CameraView(), 1);
   EXPECT_TRUE(std::isfinite(glm::length(camera.position())));
   EXPECT_NEAR(glm::length(*camera.project(Vec3(0))), 0, 0.2);
 }

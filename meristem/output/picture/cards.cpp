@@ -21,8 +21,9 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/picture/texture_sampler.h"
+#include "meristem/shape/detail/detail.h"
 #include "meristem/shape/mesh/tangents.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 

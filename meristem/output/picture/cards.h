@@ -3,7 +3,7 @@
 #pragma once
 
 #include "meristem/base/progress.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

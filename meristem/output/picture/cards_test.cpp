@@ -7,6 +7,7 @@
 
 #include "meristem/base/colour.h"
 #include "meristem/base/parallel.h"
+#include "meristem/shape/detail/detail.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem::cards_test {

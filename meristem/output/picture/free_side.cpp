@@ -10,7 +10,7 @@
 #include "meristem/base/math.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/obstacle_meshes.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
 
 namespace meristem {
 
@@ -43,20 +43,20 @@ std::vector<Vec3> sample_points(const MeshScene& plants) {
   return points;
 }
 
-bool has_own_side(const View& view) {
-  const View usual;
+bool has_own_side(const CameraView& view) {
+  const CameraView usual;
   return view.position || view.target || view.azimuth != usual.azimuth || view.altitude != usual.altitude;
 }
 
 /// Returns the sides to try: the default side first, then its neighbours by distance.
-std::vector<View> sides(const View& view) {
+std::vector<CameraView> sides(const CameraView& view) {
   std::vector<double> altitudes{view.altitude};
   altitudes.insert(altitudes.end(), kHigherAltitudes.begin(), kHigherAltitudes.end());
-  std::vector<View> all;
+  std::vector<CameraView> all;
   for (const double altitude : altitudes) {
     for (int k = 0; k < kSides; ++k) {
       const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;  // 0, 1, -1, 2, -2, ...
-      View side = view;
+      CameraView side = view;
       side.azimuth = view.azimuth + step * 2 * kPi / kSides;
       side.altitude = altitude;
       all.push_back(side);
@@ -81,17 +81,17 @@ double seen_share(const std::vector<Vec3>& points, const RayScene& obstacles, Ve
 
 }  // namespace
 
-View view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, View view, double aspect,
-                         const Progress& progress) {
+CameraView view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, CameraView view, double aspect,
+                               const Progress& progress) {
   if (has_own_side(view) || !has_visible(obstacles)) return view;
   const std::vector<Vec3> points = sample_points(plants);
   if (points.empty()) return view;
   Progress part(&progress);
   const MeshScene bodies = obstacle_meshes(obstacles, part);
   const RayScene rays(bodies, part);
-  const std::vector<View> candidates = sides(view);
+  const std::vector<CameraView> candidates = sides(view);
   double best_share = -1;
-  for (const View& candidate : candidates) {
+  for (const CameraView& candidate : candidates) {
     part.check();
     const double share = seen_share(points, rays, place_camera(plants, candidate, aspect).position());
     if (share > best_share) {

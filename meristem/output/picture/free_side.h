@@ -4,7 +4,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/scene/obstacle/obstacles.h"
 #include "meristem/scene/view.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -13,7 +13,7 @@ namespace meristem {
 /// such side, chooses the one with the largest visible part. The view stays unchanged if it has a position, a target or
 /// a side of its own, or if no obstacle is visible. `aspect` is the width of the picture divided by its height. The
 /// result does not depend on the number of threads. Throws Cancelled.
-View view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, View view, double aspect,
-                         const Progress& progress);
+CameraView view_past_obstacles(const MeshScene& plants, const Obstacles& obstacles, CameraView view, double aspect,
+                               const Progress& progress);
 
 }  // namespace meristem

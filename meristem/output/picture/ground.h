@@ -3,7 +3,7 @@
 
 #include "meristem/base/vec.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

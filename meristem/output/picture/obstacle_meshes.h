@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meristem/scene/obstacle/obstacles.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -18,8 +18,8 @@
 #include "meristem/output/picture/lamplight.h"
 #include "meristem/output/picture/sampling.h"
 #include "meristem/output/picture/texture_sampler.h"
-#include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/ray_scene.h"
+#include "meristem/shape/rays/ray_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

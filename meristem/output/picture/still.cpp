@@ -22,6 +22,7 @@
 #include "meristem/output/picture/path_tracer.h"
 #include "meristem/output/picture/photographer.h"
 #include "meristem/output/picture/tone_map.h"
+#include "meristem/shape/scene/scene_size.h"
 
 namespace meristem {
 
@@ -58,7 +59,7 @@ float dither(int x, int y) {
 /// Converts the mean of a pixel's samples to bytes.
 class Developer {
  public:
-  Developer(const View& view, const StillOptions& options, float exposure)
+  Developer(const CameraView& view, const StillOptions& options, float exposure)
       : background_(view.background.value_or(Vec3(0))),
         shows_background_(view.background.has_value()),
         exposure_(exposure),
@@ -86,7 +87,7 @@ class Developer {
   bool keeps_alpha_;
 };
 
-Air air_of(const View& view, const Sky& sky) {
+Air air_of(const CameraView& view, const Sky& sky) {
   Air air;
   if (view.haze) air.haze = static_cast<float>(*view.haze);
   if (view.clouds > 0) {
@@ -137,18 +138,18 @@ bool shows_obstacles(const Scene& scene, const StillOptions& options) {
 }
 
 /// Returns the camera and the ground for the plants, or for the obstacles if there are no plants.
-Framing framing_of(const MeshScene& plants, const Scene& scene, const View& view, const StillOptions& options,
+Framing framing_of(const MeshScene& plants, const Scene& scene, const CameraView& view, const StillOptions& options,
                    const Progress& progress) {
   const bool has_obstacles = shows_obstacles(scene, options);
   const MeshScene alone = plants.meshes.empty() && has_obstacles ? with_obstacles({}, scene.obstacles) : MeshScene();
   const MeshScene& framed = plants.meshes.empty() ? alone : plants;
   const double aspect = aspect_of(options);
-  const View seen = has_obstacles ? view_past_obstacles(plants, scene.obstacles, view, aspect, progress) : view;
+  const CameraView seen = has_obstacles ? view_past_obstacles(plants, scene.obstacles, view, aspect, progress) : view;
   return {place_camera(framed, seen, aspect), ground_below(framed, scene)};
 }
 
 /// Returns a picture of the whole scene.
-Image exposed(const MeshScene& shown, const Framing& framing, const Scene& scene, const View& view,
+Image exposed(const MeshScene& shown, const Framing& framing, const Scene& scene, const CameraView& view,
               const StillOptions& options, Progress& progress) {
   Image image{options.width, options.height, {}};
   image.rgba.resize(std::size_t{4} * options.width * options.height);
@@ -217,18 +218,19 @@ void begin(const StillOptions& options, Progress& progress) {
 
 }  // namespace
 
-Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+Image render_still(const MeshScene& meshes, const Scene& scene, const CameraView& view, const StillOptions& options,
                    Progress& progress) {
   if (shows_obstacles(scene, options)) return render_still(MeshScene(meshes), scene, view, options, progress);
   begin(options, progress);
   return exposed(meshes, framing_of(meshes, scene, view, options, progress), scene, view, options, progress);
 }
 
-Image render_still(MeshScene&& meshes, const Scene& scene, const View& view, const StillOptions& options,
+Image render_still(MeshScene&& meshes, const Scene& scene, const CameraView& view, const StillOptions& options,
                    Progress& progress) {
   begin(options, progress);
   const Framing framing = framing_of(meshes, scene, view, options, progress);
   MeshScene shown = std::move(meshes);
+  if (distinct_size(shown) > RaySceneOptions().large_from) free_tangents(shown);
   if (shows_obstacles(scene, options)) shown = with_obstacles(std::move(shown), scene.obstacles);
   return exposed(shown, framing, scene, view, options, progress);
 }

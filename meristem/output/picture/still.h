@@ -8,7 +8,7 @@
 #include "meristem/output/write/png.h"
 #include "meristem/scene/scene.h"
 #include "meristem/scene/view.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -33,11 +33,11 @@ void check_still_options(const StillOptions& options);
 /// Renders `meshes` in the light of `scene`, among its obstacles. The camera frames the meshes, or the obstacles if
 /// there are no meshes. The picture is equal on any number of threads. Progress counts pixels. Throws like
 /// check_still_options, and Cancelled.
-Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+Image render_still(const MeshScene& meshes, const Scene& scene, const CameraView& view, const StillOptions& options,
                    Progress& progress);
 
 /// Renders an equal picture and frees `meshes` afterwards. They are not copied to add obstacles.
-Image render_still(MeshScene&& meshes, const Scene& scene, const View& view, const StillOptions& options,
+Image render_still(MeshScene&& meshes, const Scene& scene, const CameraView& view, const StillOptions& options,
                    Progress& progress);
 
 }  // namespace meristem

@@ -61,7 +61,7 @@ TEST(Still, IsTheSamePictureOnAnyNumberOfThreads) {
   const auto render = [&](int threads) {
     const ThreadLimit limit(threads);
     Progress progress;
-    return render_still(meshes, scene, View(), small(50, 4), progress).rgba;
+    return render_still(meshes, scene, CameraView(), small(50, 4), progress).rgba;
   };
   const std::vector<std::uint8_t> expected = render(1);
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads) == expected) << threads << " threads";
@@ -75,7 +75,7 @@ TEST(Still, LampsLightTheNightTheSameOnAnyNumberOfThreads) {
   const auto render = [&](int threads) {
     const ThreadLimit limit(threads);
     Progress progress;
-    return render_still(meshes, scene, View(), small(50, 4), progress);
+    return render_still(meshes, scene, CameraView(), small(50, 4), progress);
   };
   const Image expected = render(1);
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads).rgba == expected.rgba) << threads << " threads";
@@ -109,7 +109,7 @@ TEST(Still, TexturedLeavesAreTheSameOnAnyNumberOfThreads) {
   const auto render = [&](int threads) {
     const ThreadLimit limit(threads);
     Progress progress;
-    return render_still(meshes, Scene(), View(), small(50, 4), progress).rgba;
+    return render_still(meshes, Scene(), CameraView(), small(50, 4), progress).rgba;
   };
   const std::vector<std::uint8_t> expected = render(1);
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads) == expected) << threads << " threads";
@@ -120,7 +120,7 @@ TEST(Still, HolesLetTheBackgroundThrough) {
   options.transparent = true;
   Progress progress;
   const auto cover = [&](const MeshScene& meshes) {
-    View view;
+    CameraView view;
     view.position = Vec3(0, 1.2F, 4);
     view.target = Vec3(0, 1.2F, 0);
     double sum = 0;
@@ -137,7 +137,7 @@ TEST(Still, TransparentPicturesHoldThePlantAlone) {
   StillOptions options = small(48, 4);
   options.transparent = true;
   Progress progress;
-  const Image image = render_still(block_with_leaves(), Scene(), View(), options, progress);
+  const Image image = render_still(block_with_leaves(), Scene(), CameraView(), options, progress);
   ASSERT_EQ(image.rgba.size(), 4U * 48 * 48);
   EXPECT_EQ(pixel(image, 24, 32)[3], 255);
   for (const int corner : {0, 47}) {
@@ -147,7 +147,7 @@ TEST(Still, TransparentPicturesHoldThePlantAlone) {
 }
 
 TEST(Still, AFlatBackgroundHasExactlyItsColour) {
-  View view;
+  CameraView view;
   view.background = Vec3(51, 102, 204) / 255.0F;
   StillOptions options = small(32, 4);
   options.ground = false;
@@ -165,7 +165,7 @@ TEST(Still, TheShadowFallsAwayFromTheSun) {
   meshes.meshes.pop_back();
   Scene scene;
   scene.sun = {radians(90), radians(45)};  // the sun stands in the east, on the right of a view to the north
-  View view;
+  CameraView view;
   view.position = Vec3(0, 12, 0.01F);
   view.target = Vec3(0);
   view.field_of_view = 0.6;
@@ -178,13 +178,13 @@ TEST(Still, TheShadowFallsAwayFromTheSun) {
 
 TEST(Still, RendersAnEmptyScene) {
   Progress progress;
-  EXPECT_EQ(render_still(MeshScene(), Scene(), View(), small(8, 1), progress).rgba.size(), 256U);
+  EXPECT_EQ(render_still(MeshScene(), Scene(), CameraView(), small(8, 1), progress).rgba.size(), 256U);
 }
 
 TEST(Still, CountsPixelsAndStopsWhenCancelled) {
   double last = 0;
   Progress counted([&](std::string_view, double fraction) { last = fraction; });
-  render_still(block_with_leaves(), Scene(), View(), small(40, 1), counted);
+  render_still(block_with_leaves(), Scene(), CameraView(), small(40, 1), counted);
   EXPECT_EQ(last, 1);
 
   Progress* self = nullptr;
@@ -192,7 +192,7 @@ TEST(Still, CountsPixelsAndStopsWhenCancelled) {
     if (fraction > 0.2) self->cancel();
   });
   self = &cancelled;
-  EXPECT_THROW(render_still(block_with_leaves(), Scene(), View(), small(100, 4), cancelled), Cancelled);
+  EXPECT_THROW(render_still(block_with_leaves(), Scene(), CameraView(), small(100, 4), cancelled), Cancelled);
 }
 
 TEST(Still, RefusesSizesAndSamplesOutOfRange) {
@@ -200,13 +200,13 @@ TEST(Still, RefusesSizesAndSamplesOutOfRange) {
   for (const int wrong : {0, -5, 16385}) {
     StillOptions options = small(8, 1);
     options.width = wrong;
-    EXPECT_THROW(render_still(MeshScene(), Scene(), View(), options, progress), InputError);
+    EXPECT_THROW(render_still(MeshScene(), Scene(), CameraView(), options, progress), InputError);
     options = small(8, 1);
     options.height = wrong;
-    EXPECT_THROW(render_still(MeshScene(), Scene(), View(), options, progress), InputError);
+    EXPECT_THROW(render_still(MeshScene(), Scene(), CameraView(), options, progress), InputError);
   }
   for (const int wrong : {0, 65537}) {
-    EXPECT_THROW(render_still(MeshScene(), Scene(), View(), small(8, wrong), progress), InputError);
+    EXPECT_THROW(render_still(MeshScene(), Scene(), CameraView(), small(8, wrong), progress), InputError);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
 #include "tests/support/sample_plants.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +32,7 @@ class ScanFiles : public testing::Test {
  protected:
   ScanFiles() {
     plant_.materials.emplace_back();
-    Instrument& scanner = options_.instrument;
+    ScanInstrument& scanner = options_.instrument;
     scanner.step = radians(1.5);
     scanner.lowest = radians(-25);
     scanner.highest = radians(20);

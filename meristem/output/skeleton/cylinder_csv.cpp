@@ -24,7 +24,7 @@ constexpr std::size_t kCylinderColumns = 17;
 /// Rows are counted from 1, and 0 marks a missing cylinder.
 std::uint32_t row_number(std::uint32_t cylinder) { return cylinder == kNoCylinder ? 0 : cylinder + 1; }
 
-void append_cylinder(const Cylinder& cylinder, std::string& out) {
+void append_cylinder(const TreeCylinder& cylinder, std::string& out) {
   const DVec3 way = DVec3(cylinder.end) - DVec3(cylinder.begin);
   const double length = glm::length(way);
   const DVec3 axis = length > 0 ? way / length : DVec3(0, 0, 1);
@@ -49,10 +49,10 @@ void append_cylinder(const Cylinder& cylinder, std::string& out) {
 
 }  // namespace
 
-void write_cylinder_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+void write_cylinder_csv(const Plant& grown, const SizeLimits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
-  const std::vector<Cylinder> cylinders = cylinders_of(*expanded);
+  const std::vector<TreeCylinder> cylinders = cylinders_of(*expanded);
   progress.begin("writing CSV", cylinders.size());
   AtomicFile file(path);
   file.write(kCylinderHeader);

@@ -17,6 +17,6 @@ namespace meristem {
 /// each other. Streams like write_skeleton_csv, plus 48 bytes per cylinder, and throws the same errors.
 ///
 /// Based on: P. Raumonen et al., Fast automatic precision tree models from terrestrial laser scanner data, 2013.
-void write_cylinder_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
+void write_cylinder_csv(const Plant& plant, const SizeLimits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

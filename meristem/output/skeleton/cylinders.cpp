@@ -20,8 +20,8 @@ float cylinder_radius(const Skeleton& skeleton, NodeIndex node) {
   return radius_of_equal_volume(skeleton.radius[parent], skeleton.radius[node]);
 }
 
-std::vector<Cylinder> cylinders_of(const Plant& plant) {
-  std::vector<Cylinder> cylinders;
+std::vector<TreeCylinder> cylinders_of(const Plant& plant) {
+  std::vector<TreeCylinder> cylinders;
   cylinders.reserve(plant.node_count());
   std::uint32_t first_axis = 0;
   std::vector<std::uint32_t> number;  // number of the cylinder that ends in each node of a stem
@@ -33,12 +33,12 @@ std::vector<Cylinder> cylinders_of(const Plant& plant) {
       const NodeIndex parent = skeleton.parent[node];
       if (parent == kNoNode) continue;
       const bool begins = skeleton.axis[parent] != axis;
-      Cylinder made{.begin = z_up(skeleton.position[parent]),
-                    .end = z_up(skeleton.position[node]),
-                    .radius = cylinder_radius(skeleton, node),
-                    .parent = number[parent],
-                    .axis = first_axis + axis,
-                    .order = skeleton.order[node]};
+      TreeCylinder made{.begin = z_up(skeleton.position[parent]),
+                        .end = z_up(skeleton.position[node]),
+                        .radius = cylinder_radius(skeleton, node),
+                        .parent = number[parent],
+                        .axis = first_axis + axis,
+                        .order = skeleton.order[node]};
       number[node] = static_cast<std::uint32_t>(cylinders.size());
       if (!begins && made.parent != kNoCylinder) {
         made.position = cylinders[made.parent].position + 1;

@@ -14,7 +14,7 @@ namespace meristem {
 inline constexpr std::uint32_t kNoCylinder = 0xffffffffU;
 
 /// The segment that ends in a node. Metres, in the coordinates of such programs: x east, y north, z up.
-struct Cylinder {
+struct TreeCylinder {
   Vec3 begin{0};                          ///< metres
   Vec3 end{0};                            ///< metres
   float radius = 0;                       ///< radius with which the cylinder has the volume of the cone between its two
@@ -34,6 +34,6 @@ float radius_of_equal_volume(float begin, float end);
 float cylinder_radius(const Skeleton& skeleton, NodeIndex node);
 
 /// Returns a cylinder for each node that has a parent, in the order of SkeletonTable.
-std::vector<Cylinder> cylinders_of(const Plant& plant);
+std::vector<TreeCylinder> cylinders_of(const Plant& plant);
 
 }  // namespace meristem

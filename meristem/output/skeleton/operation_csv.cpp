@@ -45,13 +45,13 @@ void append_operation_row(const OperationRecord& record, std::string& out) {
 std::vector<OperationRecord> operation_records(const Plant& plant) {
   std::vector<OperationRecord> records;
   for (const Stem& stem : plant.stems) {
-    const std::vector<OperationRecord>& own = stem.skeleton.operations;
+    const OperationRecords& own = stem.skeleton.operations;
     records.insert(records.end(), own.begin(), own.end());
   }
   return records;
 }
 
-void write_operation_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+void write_operation_csv(const Plant& grown, const SizeLimits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const std::vector<OperationRecord> records = operation_records(*expanded);

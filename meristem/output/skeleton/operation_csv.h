@@ -6,6 +6,7 @@
 
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
+#include "meristem/plant/operation_record.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
@@ -18,6 +19,6 @@ std::vector<OperationRecord> operation_records(const Plant& plant);
 /// `shoot`, `rank`, `metamer`, `x`, `y`, `z`, `bud_x`, `bud_y`, `bud_z`, `bud_position_x`, `bud_position_y`,
 /// `bud_position_z`, `diameter`, `metamers`, `length`, `wood`, `light`. OperationRecord describes the columns. Throws
 /// MachineError (path, disk), Cancelled.
-void write_operation_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
+void write_operation_csv(const Plant& plant, const SizeLimits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -12,21 +12,21 @@ Plant pruned() {
   Plant plant;
   Stem& stem = plant.stems.emplace_back();
   stem.skeleton.add_node(kNoNode, Vec3(0), 0);
-  stem.skeleton.operations.push_back({.operation = "components.apple.operations[3]",
-                                      .act = "cut",
-                                      .iteration = 8,
-                                      .tree = 2,
-                                      .shoot = "main.4",
-                                      .rank = 1,
-                                      .metamer = 3,
-                                      .position = {1, 2.5F, 0},
-                                      .bud = {0, -1, 0},
-                                      .bud_position = {1, 2.25F, 0},
-                                      .diameter = 0.125,
-                                      .metamers = 12,
-                                      .length = 0.5,
-                                      .wood = 0.25,
-                                      .light = 7});
+  stem.skeleton.operations.add({.operation = "components.apple.operations[3]",
+                                .act = "cut",
+                                .iteration = 8,
+                                .tree = 2,
+                                .shoot = "main.4",
+                                .rank = 1,
+                                .metamer = 3,
+                                .position = {1, 2.5F, 0},
+                                .bud = {0, -1, 0},
+                                .bud_position = {1, 2.25F, 0},
+                                .diameter = 0.125,
+                                .metamers = 12,
+                                .length = 0.5,
+                                .wood = 0.25,
+                                .light = 7});
   return plant;
 }
 

@@ -51,8 +51,8 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
   return numbers;
 }
 
-void write_organ_csv(const Plant& grown, const Limits& limits, std::span<const LitOrgan> lit, const std::string& path,
-                     Progress& progress) {
+void write_organ_csv(const Plant& grown, const SizeLimits& limits, std::span<const LitOrgan> lit,
+                     const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const Plant& plant = *expanded;

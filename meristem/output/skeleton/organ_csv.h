@@ -20,7 +20,7 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant);
 /// (number among the component's organs, from 0), `tree` (as trees_of_organs in measures.h), `x`, `y`, `z` (point of
 /// attachment, metres), `area` (square metres), `exposure` and `irradiance` (organ_light.h). Throws
 /// std::invalid_argument unless `lit` has an entry for each organ, MachineError (path, disk), Cancelled.
-void write_organ_csv(const Plant& plant, const Limits& limits, std::span<const LitOrgan> lit, const std::string& path,
-                     Progress& progress);
+void write_organ_csv(const Plant& plant, const SizeLimits& limits, std::span<const LitOrgan> lit,
+                     const std::string& path, Progress& progress);
 
 }  // namespace meristem

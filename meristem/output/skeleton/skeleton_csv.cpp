@@ -66,7 +66,7 @@ class CsvRows {
 
 }  // namespace
 
-void write_skeleton_csv(const Plant& grown, const Limits& limits, const std::string& path, Progress& progress) {
+void write_skeleton_csv(const Plant& grown, const SizeLimits& limits, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const Plant& plant = *expanded;

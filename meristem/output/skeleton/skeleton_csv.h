@@ -14,6 +14,6 @@ namespace meristem {
 /// field is empty if a node has no parent or a value is unknown. Numbers have enough digits to restore the exact float.
 /// Streams: memory beyond the plant and the labels of its axes stays below 64 MB. The file appears whole or not at all.
 /// "-" is standard output. Throws MachineError (path, disk), Cancelled.
-void write_skeleton_csv(const Plant& plant, const Limits& limits, const std::string& path, Progress& progress);
+void write_skeleton_csv(const Plant& plant, const SizeLimits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -265,8 +265,8 @@ class MtgWriter {
 
 }  // namespace
 
-void write_skeleton_mtg(const Plant& grown, const Limits& limits, const std::string& path, const MtgOptions& options,
-                        Progress& progress) {
+void write_skeleton_mtg(const Plant& grown, const SizeLimits& limits, const std::string& path,
+                        const MtgOptions& options, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const Plant& plant = *expanded;

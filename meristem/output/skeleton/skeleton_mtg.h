@@ -35,7 +35,7 @@ struct MtgOptions {
 /// float. Memory beyond the plant: 64 MB, the labels and some 40 bytes per node. The file appears whole or not at all.
 /// "-" is standard output. Throws MachineError (path, disk), InputError for further columns whose names a file cannot
 /// have, Cancelled.
-void write_skeleton_mtg(const Plant& plant, const Limits& limits, const std::string& path, const MtgOptions& options,
-                        Progress& progress);
+void write_skeleton_mtg(const Plant& plant, const SizeLimits& limits, const std::string& path,
+                        const MtgOptions& options, Progress& progress);
 
 }  // namespace meristem

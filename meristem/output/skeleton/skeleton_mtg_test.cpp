@@ -14,9 +14,6 @@
 #include "meristem/base/random.h"
 #include "meristem/base/read_file.h"
 #include "meristem/base/visible_text.h"
-#include "meristem/components/registry.h"
-#include "meristem/document/grow.h"
-#include "meristem/document/models.h"
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "tests/support/sample_plants.h"
@@ -29,7 +26,7 @@ std::string written(const Plant& plant, const MtgOptions& options = {}) {
       testing::TempDir() + "skeleton_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".mtg";
   Progress progress;
   write_skeleton_mtg(plant, {}, path, options, progress);
-  std::string text = read_file(path, Limits{}.file_bytes);
+  std::string text = read_file(path, SizeLimits{}.file_bytes);
   std::filesystem::remove(path);
   return text;
 }
@@ -123,30 +120,6 @@ TEST(SkeletonMtg, HeadsAreThoseOfFormA) {
             "NAME\tTYPE\n"
             "XX\tREAL\nYY\tREAL\nZZ\tREAL\nTopDia\tREAL\nnode\tINT\nbirth\tREAL\nlight\tREAL\n"
             "component\tALPHA\ninstance\tINT\n\n");
-}
-
-TEST(SkeletonMtg, TellsWhatWasCutAndWhatIsPlanned) {
-  const auto skeleton_that = [](bool plans) {
-    const std::string text =
-        R"({"meristem": 1, "seed": 1, "components": {"tree": {"type": "organize", "iterations": 9, "length": 0.1,
-            "operations": [{"do": "cut", "from": 6, "every": 3, "shoots": "rank == 1 && length > 0.2", "above": 1}],
-            "plan": )" +
-        std::string(plans ? "true" : "false") + "}}}";
-    Progress progress;
-    const Document document = read_document(text, "pruned.json", builtin_components());
-    const Plant plant = grow_document(document, progress, {.up_to = GrownPart::plant}).plant;
-    const Skeleton again = read(written(plant));
-    const Skeleton& grown = plant.stems.at(0).skeleton;
-    for (const char* const column : {"cut_at", "cut_metamers", "cut_length", "cut_wood", "cut_light", "rank"}) {
-      EXPECT_EQ(again.extra.at(column), grown.extra.at(column)) << column;
-    }
-    EXPECT_GT(*std::ranges::max_element(again.extra.at("cut_metamers")), 0);
-    return again;
-  };
-  EXPECT_EQ(skeleton_that(false).extra.count("plan_cut"), 0U);
-  const std::vector<float> plan = skeleton_that(true).extra.at("plan_cut");
-  EXPECT_GT(std::ranges::count(plan, 1.0F), 0);
-  EXPECT_GT(std::ranges::count(plan, 0.0F), 0);
 }
 
 TEST(SkeletonMtg, SegmentsHaveTheNumbersOfTheirMetamersAndAxesTheirLabels) {
@@ -276,7 +249,7 @@ std::vector<DataSet<MtgGeometry>> digitised_trees() {
 TEST(SkeletonMtg, DigitisedTreesComeBack) {
   for (const auto& [file, geometry] : digitised_trees()) {
     SCOPED_TRACE(file);
-    check_round_trip(read(read_file(file, Limits{}.file_bytes), geometry));
+    check_round_trip(read(read_file(file, SizeLimits{}.file_bytes), geometry));
   }
 }
 
@@ -284,44 +257,12 @@ TEST(SkeletonMtg, TreesWithoutCoordinatesHaveNoSkeleton) {
   for (const std::string& file : data_files({"tests/data/trees/coded_shoot.mtg", "tests/data/trees/dated_shoot.mtg"},
                                             {"trees/monopodial_plant.mtg", "trees/simple_plant.mtg"})) {
     try {
-      read(read_file(file, Limits{}.file_bytes));
+      read(read_file(file, SizeLimits{}.file_bytes));
       ADD_FAILURE() << file;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics()[0].message, "there is no feature 'XX'");
     }
   }
-}
-
-/// Checks that a plant's file restores its stems as one skeleton.
-void check_grown(const Document& document) {
-  Progress progress;
-  const GrownDocument grown = grow_document(document, progress);
-  Skeleton all;
-  for (const Stem& stem : grown.plant.stems) all.append(stem.skeleton);
-  Skeleton forest = read(written(grown.plant));
-  // An attribute that a stem lacks is unknown here, but 0 in a skeleton to which the stem was appended.
-  for (auto& [name, values] : forest.extra) {
-    const auto is_unknown = [](float value) { return std::isnan(value); };
-    std::replace_if(values.begin(), values.end(), is_unknown, 0.0F);
-  }
-  EXPECT_GT(forest.node_count(), 10U);
-  EXPECT_EQ(skeleton_hash(forest), skeleton_hash(all));
-  EXPECT_EQ(axis_labels(forest), axis_labels(all));
-}
-
-TEST(SkeletonMtg, GrownPlantsComeBack) {
-  for (const char* model : {"maple", "oak", "fern", "mint", "low-poly-palm"}) {
-    SCOPED_TRACE(model);
-    const std::string file = model_path(std::string(MERISTEM_SOURCE_DIR) + "/models", model);
-    check_grown(read_document(read_text_file(file), file, builtin_components(), {}));
-  }
-}
-
-TEST(SkeletonMtg, TreesThatNumberTheirMetamersComeBack) {
-  check_grown(read_document(R"({"meristem": 1, "components": {"tree": {
-    "type": "organize", "iterations": 9, "length": 0.1, "roots": [[0, 0, 0], [2, 0, 0]], "phyllotaxis": "decussate",
-    "shedding": {"below": 0.2}, "operations": [{"at": 4, "do": "cut", "shoots": "main", "above": 3}]}}})",
-                            "tree.json", builtin_components(), {}));
 }
 
 TEST(SkeletonMtg, HasTheSameBytesOnAnyNumberOfThreads) {

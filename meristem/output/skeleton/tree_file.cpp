@@ -91,8 +91,8 @@ void append_segment(const TreeFileNode& node, bool is_first, std::string& out) {
 
 }  // namespace
 
-void write_tree_file(const Plant& grown, const Limits& limits, const std::string& path, const Provenance& provenance,
-                     Progress& progress) {
+void write_tree_file(const Plant& grown, const SizeLimits& limits, const std::string& path,
+                     const Provenance& provenance, Progress& progress) {
   const ExpandedPlant expanded(grown, limits, progress);
   require_finite(*expanded);
   const std::vector<TreeFileNode> nodes = nodes_of(*expanded);

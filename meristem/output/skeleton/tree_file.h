@@ -15,7 +15,7 @@ namespace meristem {
 /// with parent -1. Every other segment is a cylinder from its parent's position to its own, with the radius of
 /// cylinders_of. Metres; x east, y north, z up. Comments contain the provenance. Streams like write_skeleton_csv, plus
 /// 60 bytes per node, and throws the same errors.
-void write_tree_file(const Plant& plant, const Limits& limits, const std::string& path, const Provenance& provenance,
-                     Progress& progress);
+void write_tree_file(const Plant& plant, const SizeLimits& limits, const std::string& path,
+                     const Provenance& provenance, Progress& progress);
 
 }  // namespace meristem

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/moving/moving_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

@@ -29,7 +29,7 @@ Texture some_texture() {
 }
 
 /// Returns the picture that a reader decodes from the bytes of a PNG.
-Image read_back(const std::string& bytes) { return parse_image(bytes, "test.png", Limits()); }
+Image read_back(const std::string& bytes) { return parse_image(bytes, "test.png", SizeLimits()); }
 
 TEST(EncodedPictures, EveryPixelReadsBackAsItWas) {
   const Texture texture = some_texture();

@@ -12,7 +12,7 @@
 
 #include "meristem/base/vec.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 

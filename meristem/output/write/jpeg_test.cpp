@@ -32,7 +32,7 @@ double mean_difference(const Image& a, const Image& b) {
   return sum / static_cast<double>(a.rgba.size());
 }
 
-Image read_back(const std::string& bytes) { return parse_image(bytes, "picture.jpg", Limits{}); }
+Image read_back(const std::string& bytes) { return parse_image(bytes, "picture.jpg", SizeLimits{}); }
 
 TEST(Jpeg, ReadsBackWithinWhatItsQualityPromises) {
   const Image image = waves(161, 97);

@@ -29,10 +29,10 @@ TEST(PictureFile, TheEndingSaysTheFormat) {
   for (const char* name : {"a.png", "a.PNG", "a.jpg", "a.JPEG"}) {
     const std::string path = (folder / name).string();
     write_picture(image, path);
-    const std::string bytes = read_file(path, Limits{}.file_bytes);
+    const std::string bytes = read_file(path, SizeLimits{}.file_bytes);
     EXPECT_EQ(bytes.starts_with("\x89PNG"), std::string(name).find("PNG") != std::string::npos || name[2] == 'p')
         << name;
-    EXPECT_EQ(parse_image(bytes, path, Limits{}).width, 2) << name;
+    EXPECT_EQ(parse_image(bytes, path, SizeLimits{}).width, 2) << name;
   }
 }
 

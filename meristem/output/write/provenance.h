@@ -19,6 +19,7 @@ struct Provenance {
 };
 
 /// Returns the provenance and the units as comments for people: one line each, without the comment mark of the file.
+/// Leaves out name, author and licence if they are empty. Adds a line with the command that grows the plant again.
 std::vector<std::string> provenance_lines(const Provenance& provenance, std::string_view units = "metres, y up");
 
 }  // namespace meristem

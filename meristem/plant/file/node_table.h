@@ -24,8 +24,9 @@ namespace meristem {
 /// The form of a table.
 enum class NodeTableForm { nodes, cylinders, trees };
 
-/// The nodes of a table: parents before children, otherwise in the order of their lines. All columns have an entry per
-/// node.
+/// The nodes of a table, parents before children. They keep the order of their lines if it has parents first. Otherwise
+/// they are sorted level by level from the roots. All columns have an entry per node. A table of cylinders has one more
+/// node at each place where cylinders without a parent begin.
 struct NodeTable {
   NodeTableForm form = NodeTableForm::nodes;  ///< the form that the head line has shown
   bool is_y_up = false;                       ///< true in Meristem's own tables; otherwise z is up, x east and y north
@@ -39,11 +40,11 @@ struct NodeTable {
   std::size_t node_count() const { return parent.size(); }  ///< number of nodes
 };
 
-/// Reads the text of a table. The names in its head line decide the form. Throws InputError with line and column in
-/// `file` for missing columns (with the nearest name), texts instead of numbers, and numbers out of range
-/// (base/number_limit.h). Throws it also for duplicate node numbers, missing parents, parents in a circle, no nodes,
-/// and more nodes than `limits` allow.
-NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits);
+/// Reads the text of a table. The names in its head line decide the form. A row is a root if its parent is empty or
+/// negative, or if it is 0 and no row has the number 0. Throws InputError with line and column in `file` for missing
+/// columns (with the nearest name), texts instead of numbers, and numbers out of range (base/number_limit.h). Throws it
+/// also for duplicate node numbers, missing parents, parents in a circle, no nodes, and more nodes than `limits` allow.
+NodeTable read_node_table(std::string_view text, const std::string& file, const SizeLimits& limits);
 
 /// How the nodes of a file are placed in the world.
 struct NodeTablePlacement {
@@ -56,7 +57,8 @@ struct NodeTablePlacement {
 /// Returns the nodes as a skeleton. The radius is 0 if the file has none. Nodes of one branch form an axis as long as
 /// they are a chain. If the file has no branches, the thickest child continues the axis of its parent (tie: the lower
 /// index). If radii are missing, the child with the longest way to a tip continues it. Throws InputError for
-/// coordinates more than 1000 km from the origin or the first root, and for radii above 1 km. Cost: linear.
+/// coordinates more than 1000 km from the origin or the first root, for radii above 1 km, and for branching orders
+/// above 65535. Cost: linear.
 Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement, const std::string& file);
 
 }  // namespace meristem

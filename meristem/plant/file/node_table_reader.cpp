@@ -155,7 +155,7 @@ std::string expanded_head(std::string_view line, const std::vector<std::string>&
 /// Reads the rows of a table of nodes or cylinders.
 class TableReader {
  public:
-  TableReader(std::string_view text, const std::string& file, const Limits& limits)
+  TableReader(std::string_view text, const std::string& file, const SizeLimits& limits)
       : text_(text), file_(file), limits_(limits), before_(beginning_of(text)) {
     const std::string_view rest = text_.substr(before_.offset);
     const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
@@ -257,7 +257,7 @@ class TableReader {
   std::string_view text_;
   std::string rewritten_;  // the text with an expanded head line
   const std::string& file_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   Beginning before_;
   std::vector<std::string> head_;
   std::vector<ColumnRequest> requests_;
@@ -270,7 +270,7 @@ class TableReader {
 /// Sorts rows into the order of a NodeTable.
 class Sorter {
  public:
-  Sorter(std::vector<Row> rows, NodeTableForm form, const std::string& file, const Limits& limits)
+  Sorter(std::vector<Row> rows, NodeTableForm form, const std::string& file, const SizeLimits& limits)
       : rows_(std::move(rows)), form_(form), file_(file), limits_(limits) {}
 
   NodeTable run() {
@@ -407,7 +407,7 @@ class Sorter {
   std::vector<Row> rows_;
   NodeTableForm form_;
   const std::string& file_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   std::vector<std::uint32_t> parent_;  // row of each row's parent
   std::vector<std::uint32_t> order_;   // sorted row indices
   NodeTable table_;
@@ -428,7 +428,7 @@ bool has_trees(std::string_view text) {
 /// Reads a tree file into rows. Row numbers continue from tree to tree.
 class TreeFileReader {
  public:
-  TreeFileReader(std::string_view text, const std::string& file, const Limits& limits)
+  TreeFileReader(std::string_view text, const std::string& file, const SizeLimits& limits)
       : rest_(text), file_(file), limits_(limits) {
     const Beginning before = beginning_of(text);
     rest_.remove_prefix(before.offset);
@@ -538,7 +538,7 @@ class TreeFileReader {
   StopCounter stop_;
   std::string_view rest_;
   const std::string& file_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   int line_ = 0;
   const char* line_begin_ = nullptr;  // begin of the current line
   std::size_t skipped_ = 0;           // parts of a line before its segments
@@ -552,7 +552,7 @@ class TreeFileReader {
 
 }  // namespace
 
-NodeTable read_node_table(std::string_view text, const std::string& file, const Limits& limits) {
+NodeTable read_node_table(std::string_view text, const std::string& file, const SizeLimits& limits) {
   if (has_trees(text)) {
     return Sorter(TreeFileReader(text, file, limits).rows(), NodeTableForm::trees, file, limits).run();
   }

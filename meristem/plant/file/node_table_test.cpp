@@ -17,7 +17,7 @@ Skeleton skeleton(const std::string& text, const NodeTablePlacement& placement =
   return skeleton_of(read_node_table(text, "t.csv", {}), placement, "t.csv");
 }
 
-std::string error_of(const std::string& text, const Limits& limits = {}) {
+std::string error_of(const std::string& text, const SizeLimits& limits = {}) {
   try {
     skeleton_of(read_node_table(text, "t.csv", limits), {}, "t.csv");
   } catch (const InputError& error) {
@@ -232,7 +232,7 @@ TEST(NodeTable, RowsWithoutBranchesAreReadInLinearTime) {
 TEST(NodeTable, MoreNodesThanMayBeAreRefusedWhileTheyAreRead) {
   std::string many = "x,y,z,parent\n0,0,0,-1\n";
   for (int k = 0; k < 20; ++k) many += fmt::format("0,0,{},{}\n", k + 1, k);
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 10;
   EXPECT_EQ(
       error_of(many, limits).find("t.csv:12: 11 rows of a table are too many; expected at most 10 (limits.nodes)"), 0U)

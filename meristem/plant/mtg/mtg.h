@@ -55,7 +55,7 @@ struct MtgValues {
     std::size_t begin;  ///< first of the row's cells
     std::size_t end;    ///< behind the last of the row's cells
   };
-  std::vector<Row> rows;    ///< by rising entity
+  std::vector<Row> rows;    ///< in the order of the file; a later row replaces values of an earlier one
   std::vector<Cell> cells;  ///< cells of all rows
   std::string text;         ///< text of all cells
 };
@@ -79,10 +79,10 @@ struct MtgTree {
   int scale(MtgVertex vertex) const { return classes[type[vertex]].scale; }
   /// Returns the finest scale that has entities.
   int finest_scale() const;
-  /// Returns the class and number of an entity, such as "S12".
+  /// Returns the class and number of an entity, such as "S12". Without a number, returns the class alone.
   std::string label(MtgVertex vertex) const;
 
-  /// Returns the index of the feature with this name.
+  /// Returns the index of the feature with this name, or nothing if it does not exist.
   std::optional<std::uint32_t> find_feature(std::string_view name) const;
   /// Returns a feature's value for every vertex; NaN if it is missing or not a number.
   std::vector<double> numbers(std::uint32_t feature) const;
@@ -92,6 +92,6 @@ struct MtgTree {
 
 /// Reads the text of an MTG file. Throws one InputError with all errors (up to the limit), each with line and column in
 /// `file`. More entities than `limits.nodes` are an error. Cost and memory: linear in the text and the entities.
-MtgTree read_mtg(std::string_view text, const std::string& file, const Limits& limits);
+MtgTree read_mtg(std::string_view text, const std::string& file, const SizeLimits& limits);
 
 }  // namespace meristem

@@ -33,7 +33,7 @@ class ColumnReader {
                MtgSkeleton& made)
       : tree_(tree), node_of_(node_of), geometry_(geometry), made_(made), skeleton_(made.skeleton) {}
 
-  void read(const std::string& file, const Limits& limits) {
+  void read(const std::string& file, const SizeLimits& limits) {
     find_columns();
     check_count(file, limits);
     read_columns();
@@ -66,7 +66,7 @@ class ColumnReader {
     }
   }
 
-  void check_count(const std::string& file, const Limits& limits) const {
+  void check_count(const std::string& file, const SizeLimits& limits) const {
     const double wanted = static_cast<double>(names_.size()) * static_cast<double>(skeleton_.node_count());
     const std::uint64_t max = kMaxColumns * limits.nodes;
     if (wanted <= static_cast<double>(max)) return;
@@ -215,7 +215,7 @@ bool is_mtg_column_name(std::string_view name) {
 }
 
 void read_mtg_columns(const MtgTree& tree, const std::string& file, std::span<const NodeIndex> node_of,
-                      std::span<const std::string> geometry, const Limits& limits, MtgSkeleton& made) {
+                      std::span<const std::string> geometry, const SizeLimits& limits, MtgSkeleton& made) {
   ColumnReader(tree, node_of, geometry, made).read(file, limits);
 }
 

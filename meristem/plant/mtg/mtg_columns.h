@@ -26,6 +26,6 @@ inline bool is_mtg_sign(char c) {
 /// features that do not become further columns. Throws InputError if there are more than 16 numbers for each node that
 /// `limits` allow.
 void read_mtg_columns(const MtgTree& tree, const std::string& file, std::span<const NodeIndex> node_of,
-                      std::span<const std::string> geometry, const Limits& limits, MtgSkeleton& made);
+                      std::span<const std::string> geometry, const SizeLimits& limits, MtgSkeleton& made);
 
 }  // namespace meristem

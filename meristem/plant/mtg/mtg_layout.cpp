@@ -65,7 +65,7 @@ MtgLayout::MtgLayout(std::span<const Skeleton* const> skeletons, const Progress&
 }
 
 void MtgLayout::add(const Skeleton& skeleton, bool by_order, const Progress& progress) {
-  const Children children(skeleton);
+  const NodeChildren children(skeleton);
   const std::vector<bool> is_successor = find_successors(skeleton);
   const std::vector<NodeIndex> largest = by_order ? std::vector<NodeIndex>() : find_largest(skeleton);
   const auto stays = [&](NodeIndex node) {

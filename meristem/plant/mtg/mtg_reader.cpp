@@ -85,7 +85,7 @@ class Names {
 
 class TreeReader {
  public:
-  TreeReader(std::string_view text, const std::string& file, const Limits& limits)
+  TreeReader(std::string_view text, const std::string& file, const SizeLimits& limits)
       : lines_(text), errors_(file, std::max<std::uint64_t>(limits.diagnostics, 1)), limits_(limits) {}
 
   MtgTree read() {
@@ -427,7 +427,7 @@ class TreeReader {
 
   MtgLines lines_;
   MtgErrors errors_;
-  Limits limits_;
+  SizeLimits limits_;
   MtgHeader header_;
   MtgTree tree_;
   MtgLine line_;
@@ -444,7 +444,7 @@ class TreeReader {
 
 }  // namespace
 
-MtgTree read_mtg(std::string_view text, const std::string& file, const Limits& limits) {
+MtgTree read_mtg(std::string_view text, const std::string& file, const SizeLimits& limits) {
   return TreeReader(text, file, limits).read();
 }
 

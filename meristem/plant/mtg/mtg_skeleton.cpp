@@ -22,7 +22,7 @@ class SkeletonReader {
   SkeletonReader(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry)
       : tree_(tree), file_(file), geometry_(geometry) {}
 
-  MtgSkeleton read(const Limits& limits) {
+  MtgSkeleton read(const SizeLimits& limits) {
     for (std::size_t k = 0; k < 3; ++k) {
       position_.at(k) = metres(feature_of(geometry_.position.at(k)), geometry_.length_unit);
     }
@@ -200,7 +200,7 @@ class SkeletonReader {
 }  // namespace
 
 MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
-                        const Limits& limits) {
+                        const SizeLimits& limits) {
   if (!(geometry.length_unit > 0) || !(geometry.diameter_unit > 0)) {
     throw std::invalid_argument("the units of an MTG's geometry must be above 0");
   }

@@ -48,6 +48,6 @@ struct MtgSkeleton {
 /// node that `limits` allow. Throws std::invalid_argument for units that are not positive. Cost: linear, plus sorting
 /// the nodes.
 MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
-                        const Limits& limits);
+                        const SizeLimits& limits);
 
 }  // namespace meristem

@@ -119,7 +119,7 @@ std::string file_with(const std::vector<std::string>& features, const std::strin
   return text + "MTG:\n" + names + '\n' + codes;
 }
 
-Skeleton read_with(const std::vector<std::string>& features, const std::string& codes, const Limits& limits = {}) {
+Skeleton read_with(const std::vector<std::string>& features, const std::string& codes, const SizeLimits& limits = {}) {
   return skeleton_of(read_mtg(file_with(features, codes), "plant.mtg", {}), "plant.mtg", {}, limits).skeleton;
 }
 
@@ -212,7 +212,7 @@ TEST(MtgSkeleton, MoreNumbersThanTheLimitAllowsAreRefused) {
     features.push_back("f" + std::to_string(k) + "x REAL");
     values += "1\t";
   }
-  Limits limits;
+  SizeLimits limits;
   limits.nodes = 5;
   try {
     read_with(features, forked_with({values, "", "", "", ""}), limits);

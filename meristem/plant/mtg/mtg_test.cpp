@@ -225,7 +225,7 @@ TEST(Mtg, AllFaultsAreToldUpToTheLimit) {
     read(codes);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.diagnostics().size(), Limits{}.diagnostics);
+    EXPECT_EQ(error.diagnostics().size(), SizeLimits{}.diagnostics);
     EXPECT_EQ(error.diagnostics().back().line, 18 + 100);
   }
 }

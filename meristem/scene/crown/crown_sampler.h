@@ -43,9 +43,11 @@ class CrownSampler {
   CrownSampler(const Crown& crown, RandomKey key);
 
   /// Appends the next `count` points. Trials run in parallel. The points depend neither on the number of threads nor on
-  /// the counts of earlier calls. Returns false, with fewer points, if the crown fills too little of its bounds.
+  /// the counts of earlier calls. Returns false, with fewer points, if the crown fills too little of its bounds. Throws
+  /// Cancelled.
   bool append(std::size_t count, Progress& progress, std::vector<Vec3>& points);
-  /// Returns the volume of the crown in cubic metres, estimated from the trials so far.
+  /// Returns the volume of the crown in cubic metres, estimated from the trials so far. Returns 0 before the first
+  /// trial.
   double volume() const;
 
  private:

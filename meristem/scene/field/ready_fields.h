@@ -73,7 +73,7 @@ class VortexField : public VectorField {
 
 /// Variation of a wind by noise. A gust is about `size` metres long. The noise is shifted along the wind by `drift`
 /// metres.
-struct Gusts {
+struct WindGusts {
   double share = 0;             ///< largest change of the wind in each direction, as a share of its length
   double size = 1;              ///< metres, above 0
   double drift = 0;             ///< metres
@@ -84,13 +84,13 @@ struct Gusts {
 class WindField : public VectorField {
  public:
   /// `wind` has the strength of the wind as its length.
-  WindField(Vec3 wind, const Gusts& gusts) : wind_(wind), gusts_(gusts) {}
+  WindField(Vec3 wind, const WindGusts& gusts) : wind_(wind), gusts_(gusts) {}
   Vec3 at(Vec3 position) const override;
   bool is_uniform() const override { return gusts_.share == 0; }
 
  private:
   Vec3 wind_;
-  Gusts gusts_;
+  WindGusts gusts_;
 };
 
 /// A field in another frame, times `strength`. The frame rotates and moves the field. Scaling changes positions, but

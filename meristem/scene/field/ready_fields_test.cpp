@@ -42,13 +42,13 @@ TEST(VortexField, GoesRoundItsAxisCounterClockwise) {
 }
 
 TEST(WindField, GustsHaveAMeanOfNothingAndDriftWithTheWind) {
-  const Gusts gusts{.share = 0.5, .size = 2, .key = RandomKey(3)};
+  const WindGusts gusts{.share = 0.5, .size = 2, .key = RandomKey(3)};
   const WindField wind({1, 0, 0}, gusts);
   DVec3 sum(0);
   for (int k = 0; k < 4000; ++k) sum += DVec3(wind.at({0.37F * k, 1.3F, 0.7F}));
   EXPECT_NEAR(sum.x / 4000, 1, 0.05);
   EXPECT_NEAR(sum.y / 4000, 0, 0.05);
-  Gusts later = gusts;
+  WindGusts later = gusts;
   later.drift = 3;
   expect_near(WindField({1, 0, 0}, later).at({4.2F, 1, 0.3F}), wind.at({1.2F, 1, 0.3F}));
   EXPECT_EQ(WindField({1, 0, 0}, {}).at({1, 2, 3}), Vec3(1, 0, 0));
@@ -65,18 +65,18 @@ TEST(PlacedField, IsTurnedMovedAndScaledInItsPlacesAlone) {
 
 TEST(Sense, FieldsAddToTheScenesOwnOrTakeItsPlace) {
   const auto east = std::make_shared<UniformField>(Vec3(2, 0, 0));
-  const Sense scene(kUp);
+  const FieldSense scene(kUp);
   EXPECT_EQ(scene.at({1, 2, 3}).toward, kUp);
   EXPECT_EQ(scene.given_at({1, 2, 3}), Vec3(0));
-  const Sense replaced = scene.with(east, false);
+  const FieldSense replaced = scene.with(east, false);
   EXPECT_TRUE(replaced.is_uniform());
   expect_near(replaced.at(Vec3(0)).toward, {1, 0, 0});
   EXPECT_FLOAT_EQ(replaced.at(Vec3(0)).strength, 2);
-  const Sense added = scene.with(east, true).with(std::make_shared<UniformField>(Vec3(0, 0, 2)), true);
+  const FieldSense added = scene.with(east, true).with(std::make_shared<UniformField>(Vec3(0, 0, 2)), true);
   expect_near(added.at(Vec3(0)).vector(), {2, 1, 2});
   expect_near(added.given_at(Vec3(0)), {2, 0, 2});
   expect_near(replaced.with(east, true).at(Vec3(0)).vector(), {4, 0, 0});
-  const Sense point = scene.with(std::make_shared<PointField>(Vec3(0), kForEver), true);
+  const FieldSense point = scene.with(std::make_shared<PointField>(Vec3(0), kForEver), true);
   EXPECT_FALSE(point.is_uniform());
   expect_near(point.at({0, -5, 0}).vector(), {0, 2, 0});
   EXPECT_EQ(point.at({0, 5, 0}).toward, Vec3(0));  // one field pulls up, the other down

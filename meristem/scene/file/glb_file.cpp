@@ -57,7 +57,7 @@ double GltfNumbers::number(std::uint64_t element, std::uint64_t component) const
   }
 }
 
-GlbFile::GlbFile(std::string_view bytes, const std::string& file, const Limits& limits) : file_(file) {
+GlbFile::GlbFile(std::string_view bytes, const std::string& file, const SizeLimits& limits) : file_(file) {
   if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
     fail("", "the file is cut off in its header", "the whole file");
   }
@@ -91,7 +91,7 @@ std::string_view GlbFile::take_chunk(std::string_view& rest, std::uint32_t type,
   return chunk;
 }
 
-void GlbFile::parse(std::string_view json, const Limits& limits) {
+void GlbFile::parse(std::string_view json, const SizeLimits& limits) {
   if (json.size() > limits.document_bytes) {
     fail("", fmt::format("the JSON of the file has {} bytes", json.size()),
          fmt::format("at most {}", limits.document_bytes));

@@ -42,7 +42,7 @@ class GlbFile {
   using Json = nlohmann::json;
 
   /// `bytes` and `file`, its name in messages, must outlive this object.
-  GlbFile(std::string_view bytes, const std::string& file, const Limits& limits);
+  GlbFile(std::string_view bytes, const std::string& file, const SizeLimits& limits);
 
   const Json& root() const { return root_; }
   [[noreturn]] void fail(const std::string& place, std::string message, std::string expected = {}) const;
@@ -74,7 +74,7 @@ class GlbFile {
 
  private:
   std::string_view take_chunk(std::string_view& rest, std::uint32_t type, const char* name) const;
-  void parse(std::string_view json, const Limits& limits);
+  void parse(std::string_view json, const SizeLimits& limits);
   void check_extensions() const;
   std::uint64_t component_bytes(std::uint64_t type, const std::string& place) const;
   std::string_view view_bytes(const Json& view, const std::string& place) const;

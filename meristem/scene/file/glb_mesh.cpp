@@ -36,7 +36,7 @@ constexpr std::uint64_t kFan = 6;
 /// Visits the nodes of the scene and collects their triangles.
 class SceneReader {
  public:
-  SceneReader(const GlbFile& glb, const std::string& file, const Limits& limits)
+  SceneReader(const GlbFile& glb, const std::string& file, const SizeLimits& limits)
       : glb_(glb), file_(file), limits_(limits), is_seen_(glb.list(glb.root(), "nodes", "").size()) {}
 
   TriangleMesh read() {
@@ -197,7 +197,7 @@ class SceneReader {
   StopCounter stop_;
   const GlbFile& glb_;
   const std::string& file_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   std::vector<bool> is_seen_;  // one flag per node
   std::vector<Waiting> waiting_;
   std::uint64_t placed_ = 0;  // number of primitives so far
@@ -208,7 +208,7 @@ class SceneReader {
 
 bool begins_glb(std::string_view bytes) { return bytes.starts_with("glTF"); }
 
-TriangleMesh parse_glb(std::string_view bytes, const std::string& file, const Limits& limits) {
+TriangleMesh parse_glb(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   const GlbFile glb(bytes, file, limits);
   return SceneReader(glb, file, limits).read();
 }

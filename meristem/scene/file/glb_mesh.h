@@ -16,6 +16,6 @@ bool begins_glb(std::string_view bytes);
 /// uncompressed data within the file. References to other files, sparse or compressed data, and instances by extensions
 /// are errors. `file` is the name in messages. Throws InputError before allocating memory for data that the file does
 /// not contain.
-TriangleMesh parse_glb(std::string_view bytes, const std::string& file, const Limits& limits);
+TriangleMesh parse_glb(std::string_view bytes, const std::string& file, const SizeLimits& limits);
 
 }  // namespace meristem

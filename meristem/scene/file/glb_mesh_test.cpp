@@ -69,9 +69,11 @@ const TriangleMesh& box() {
   return mesh;
 }
 
-TriangleMesh parse(const std::string& bytes, const Limits& limits = {}) { return parse_mesh(bytes, "body", limits); }
+TriangleMesh parse(const std::string& bytes, const SizeLimits& limits = {}) {
+  return parse_mesh(bytes, "body", limits);
+}
 
-std::string error(const std::string& bytes, const Limits& limits = {}) {
+std::string error(const std::string& bytes, const SizeLimits& limits = {}) {
   try {
     parse(bytes, limits);
   } catch (const InputError& error) {
@@ -85,7 +87,7 @@ std::string box_glb(const std::string& nodes = kOneNode, const std::string& root
 }
 
 // Returns the error message for the box's JSON with one part replaced.
-std::string error_with(const std::string& part, const std::string& otherwise, const Limits& limits = {}) {
+std::string error_with(const std::string& part, const std::string& otherwise, const SizeLimits& limits = {}) {
   std::string json = box_json(5123, 2);
   const std::size_t at = json.find(part);
   if (at == std::string::npos) return "no such part";
@@ -228,7 +230,7 @@ TEST(GlbMesh, CutOffFilesAreSaidToBe) {
 }
 
 TEST(GlbMesh, LimitsBoundWhatItMakes) {
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = 11;
   EXPECT_EQ(error(box_glb(), limits),
             "body: 12 triangles of a file are too many; expected at most 11 (limits.triangles)");

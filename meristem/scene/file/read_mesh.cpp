@@ -23,7 +23,7 @@ namespace {
 constexpr double kLastIndex = 4294967295.0;
 
 /// Adds a polygon as a fan of triangles around its first vertex.
-void add_polygon(const std::vector<std::uint32_t>& corners, const std::string& file, const Limits& limits,
+void add_polygon(const std::vector<std::uint32_t>& corners, const std::string& file, const SizeLimits& limits,
                  TriangleMesh& mesh) {
   const std::size_t count = mesh.triangles.size() + corners.size() - 2;
   if (count > limits.triangles) {
@@ -39,7 +39,7 @@ void add_polygon(const std::vector<std::uint32_t>& corners, const std::string& f
 
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, const std::string& file, const Limits& limits)
+  ObjReader(std::string_view bytes, const std::string& file, const SizeLimits& limits)
       : text_(bytes, file), file_(file), limits_(limits) {}
 
   TriangleMesh read() {
@@ -99,7 +99,7 @@ class ObjReader {
 
   TextScanner text_;
   const std::string& file_;
-  const Limits& limits_;
+  const SizeLimits& limits_;
   TriangleMesh mesh_;
   std::vector<std::uint32_t> corners_;
   // The largest index so far. It is checked at the end, because faces may come before their vertices.
@@ -107,7 +107,7 @@ class ObjReader {
   TextScanner max_at_ = text_;
 };
 
-TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Limits& limits) {
+TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   const PlyFile ply(bytes, file);
   const PlyElement* vertices = ply.find("vertex");
   const PlyElement* faces = ply.find("face");
@@ -151,7 +151,7 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
 
 }  // namespace
 
-TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const Limits& limits) {
+TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   TriangleMesh mesh = begins_glb(bytes)        ? parse_glb(bytes, file, limits)
                       : PlyFile::begins(bytes) ? parse_ply(bytes, file, limits)
                                                : ObjReader(bytes, file, limits).read();
@@ -162,11 +162,11 @@ TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const L
   return mesh;
 }
 
-TriangleMesh read_mesh(const std::string& path, const Limits& limits) {
+TriangleMesh read_mesh(const std::string& path, const SizeLimits& limits) {
   return parse_mesh(read_file(path, limits.file_bytes), path, limits);
 }
 
-ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits) {
+ClosedMesh read_closed_mesh(const std::string& path, const SizeLimits& limits) {
   const TriangleMesh mesh = read_mesh(path, limits);
   std::vector<Diagnostic> diagnostics;
   for (std::string& error : closedness_errors(mesh)) {

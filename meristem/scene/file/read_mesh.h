@@ -11,11 +11,11 @@ namespace meristem {
 
 /// Returns the triangles of an OBJ, PLY or binary glTF (GLB) file. Polygons with more corners become fans. Ignores
 /// materials, normals and texture coordinates. Throws InputError with file and line, row or path.
-TriangleMesh read_mesh(const std::string& path, const Limits& limits);
+TriangleMesh read_mesh(const std::string& path, const SizeLimits& limits);
 /// Like read_mesh(), for the bytes of a file. `file` is the file's name in messages.
-TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const Limits& limits);
+TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const SizeLimits& limits);
 
 /// Returns the closed mesh in a file. Throws InputError with the place where the mesh is not closed.
-ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits);
+ClosedMesh read_closed_mesh(const std::string& path, const SizeLimits& limits);
 
 }  // namespace meristem

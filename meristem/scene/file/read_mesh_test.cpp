@@ -9,7 +9,7 @@
 namespace meristem::read_mesh_test {
 
 TriangleMesh parse(std::string_view bytes, std::uint64_t limit = 100) {
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = limit;
   return parse_mesh(bytes, "body", limits);
 }
@@ -101,11 +101,11 @@ struct BuildingFacts {
 };
 
 void check_building(const std::string& file, const BuildingFacts& facts) {
-  const TriangleMesh house = read_mesh(file, Limits{});
+  const TriangleMesh house = read_mesh(file, SizeLimits{});
   EXPECT_EQ(house.positions.size(), facts.vertices);
   EXPECT_EQ(house.triangles.size(), facts.triangles);
   EXPECT_TRUE(closedness_errors(house).empty());
-  const ClosedMesh closed = read_closed_mesh(file, Limits{});
+  const ClosedMesh closed = read_closed_mesh(file, SizeLimits{});
   EXPECT_NEAR(closed.volume(), facts.volume, 1e-5 * facts.volume);
   Box box;
   for (const DVec3 position : closed.positions()) box.add(Vec3(position));

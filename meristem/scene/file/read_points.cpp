@@ -20,13 +20,13 @@ namespace {
 
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 
-[[noreturn]] void throw_too_many(double count, const Limits& limits, const std::string& file) {
+[[noreturn]] void throw_too_many(double count, const SizeLimits& limits, const std::string& file) {
   Diagnostic diagnostic = limit_diagnostic("points of a file", count, limits.points, "points", "");
   diagnostic.file = file;
   throw InputError(std::move(diagnostic));
 }
 
-PointCloud parse_ply_points(std::string_view bytes, const std::string& file, const Limits& limits) {
+PointCloud parse_ply_points(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   const PlyFile ply(bytes, file);
   const PlyElement* vertices = ply.find("vertex");
   if (vertices == nullptr) {
@@ -59,7 +59,7 @@ PointCloud parse_ply_points(std::string_view bytes, const std::string& file, con
 
 bool is_comment(std::string_view word) { return word.starts_with('#') || word.starts_with("//"); }
 
-PointCloud parse_text(std::string_view bytes, const std::string& file, const Limits& limits) {
+PointCloud parse_text(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   TextScanner text(bytes, file, ",;");
   PointCloud points;
   bool may_be_heading = true;
@@ -87,7 +87,7 @@ PointCloud parse_text(std::string_view bytes, const std::string& file, const Lim
 
 }  // namespace
 
-PointCloud parse_points(std::string_view bytes, const std::string& file, const Limits& limits) {
+PointCloud parse_points(std::string_view bytes, const std::string& file, const SizeLimits& limits) {
   PointCloud points = PlyFile::begins(bytes) ? parse_ply_points(bytes, file, limits) : parse_text(bytes, file, limits);
   if (points.empty()) {
     throw InputError(Diagnostic{.message = "the file has no points", .expected = "a point or more", .file = file});
@@ -95,7 +95,7 @@ PointCloud parse_points(std::string_view bytes, const std::string& file, const L
   return points;
 }
 
-PointCloud read_points(const std::string& path, const Limits& limits) {
+PointCloud read_points(const std::string& path, const SizeLimits& limits) {
   return parse_points(read_file(path, limits.file_bytes), path, limits);
 }
 

@@ -18,7 +18,7 @@ namespace meristem::read_points_test {
 const std::array<DVec3, 2> kTwo{DVec3(1, 2.5, -3), DVec3(4, 5, 6e-3)};
 
 PointCloud parse(std::string_view bytes, std::uint64_t limit = 100) {
-  Limits limits;
+  SizeLimits limits;
   limits.points = limit;
   return parse_points(bytes, "scan", limits);
 }
@@ -160,20 +160,20 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
   std::ofstream(folder / "empty.xyz").close();
   const auto error_of = [&](const std::filesystem::path& path) {
     try {
-      read_points(path, Limits{});
+      read_points(path, SizeLimits{});
     } catch (const InputError& error) {
       return error.diagnostics().at(0);
     }
     return Diagnostic{};
   };
-  EXPECT_EQ(read_points(folder / "scan.xyz", Limits{}).size(), 1U);
+  EXPECT_EQ(read_points(folder / "scan.xyz", SizeLimits{}).size(), 1U);
   EXPECT_EQ(error_of(folder / "scam.xyz").message, "there is no such file");
   EXPECT_EQ(error_of(folder / "scam.xyz").nearest, (folder / "scan.xyz").string());
   EXPECT_EQ(error_of(folder / "empty.xyz").message, "the file is empty");
   EXPECT_EQ(error_of(folder).message, "this is a folder");
   EXPECT_EQ(error_of("/dev/zero").message, "this is not a regular file");
   EXPECT_EQ(error_of("").message, "there is no such file");
-  Limits small;
+  SizeLimits small;
   small.file_bytes = 5;
   EXPECT_THROW(read_points(folder / "scan.xyz", small), InputError);
 }

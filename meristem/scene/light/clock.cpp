@@ -35,7 +35,7 @@ std::optional<int> whole_number(std::string_view text, std::size_t min, std::siz
 }
 
 /// Returns the number of days since 1 January 2000.
-int day_number(const Date& date) {
+int day_number(const CalendarDate& date) {
   const int years = date.year - 2000;
   // Leap days from 2000 up to the previous year. 2000 is itself a leap year.
   const auto leaps_before = [](int year) {
@@ -53,26 +53,28 @@ double half_turn(double angle) {
 
 }  // namespace
 
-std::optional<Date> parse_date(std::string_view text) {
+std::optional<CalendarDate> parse_date(std::string_view text) {
   if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
   const auto year = whole_number(text.substr(0, 4), 4, 4);
   const auto month = whole_number(text.substr(5, 2), 2, 2);
   const auto day = whole_number(text.substr(8, 2), 2, 2);
   if (!year || !month || !day || *year < kFirstYear || *year > kLastYear) return std::nullopt;
   if (*month < 1 || *month > 12 || *day < 1 || *day > days_of_month(*year, *month)) return std::nullopt;
-  return Date{*year, *month, *day};
+  return CalendarDate{*year, *month, *day};
 }
 
-std::string date_text(const Date& date) { return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day); }
+std::string date_text(const CalendarDate& date) {
+  return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
 
-int day_of_year(const Date& date) {
+int day_of_year(const CalendarDate& date) {
   int day = date.day;
   for (int month = 1; month < date.month; ++month) day += days_of_month(date.year, month);
   return day;
 }
 
-Date later(const Date& date, int days) {
-  Date to = date;
+CalendarDate later(const CalendarDate& date, int days) {
+  CalendarDate to = date;
   int left = day_of_year(date) + days;
   while (left < 1) left += is_leap(--to.year) ? 366 : 365;
   while (left > (is_leap(to.year) ? 366 : 365)) left -= is_leap(to.year++) ? 366 : 365;
@@ -82,7 +84,7 @@ Date later(const Date& date, int days) {
   return to;
 }
 
-int days_between(const Date& from, const Date& to) { return day_number(to) - day_number(from); }
+int days_between(const CalendarDate& from, const CalendarDate& to) { return day_number(to) - day_number(from); }
 
 std::optional<double> parse_clock_hour(std::string_view text) {
   const std::size_t colon = text.find(':');
@@ -103,7 +105,7 @@ std::string clock_hour_text(double hour) {
   return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
 }
 
-ClockSun sun_by_clock(double latitude, const ClockZone& zone, const Date& date, double hour) {
+ClockSun sun_by_clock(double latitude, const ClockZone& zone, const CalendarDate& date, double hour) {
   const double universal = hour - zone.utc_offset;
   // Days since noon of 1 January 2000.
   const double n = day_number(date) + universal / 24 - 0.5;

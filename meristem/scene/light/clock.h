@@ -13,28 +13,29 @@
 namespace meristem {
 
 /// A day of the Gregorian calendar.
-struct Date {
+struct CalendarDate {
   int year = 2000;  ///< year of the Gregorian calendar
   int month = 1;    ///< from 1
   int day = 1;      ///< day of the month, from 1
 
-  bool operator==(const Date&) const = default;
+  bool operator==(const CalendarDate&) const = default;
 };
 
 /// Parses a date such as "2026-06-21". Returns nothing for other texts, for days that do not exist, and for years
 /// before 1900 or after 2100.
-std::optional<Date> parse_date(std::string_view text);
-std::string date_text(const Date& date);  ///< "2026-06-21"
+std::optional<CalendarDate> parse_date(std::string_view text);
+std::string date_text(const CalendarDate& date);  ///< "2026-06-21"
 /// Returns the day of the year, 1 for 1 January.
-int day_of_year(const Date& date);
+int day_of_year(const CalendarDate& date);
 /// Returns the date `days` days later; earlier if negative.
-Date later(const Date& date, int days);
+CalendarDate later(const CalendarDate& date, int days);
 /// Returns the number of days from one date to another.
-int days_between(const Date& from, const Date& to);
+int days_between(const CalendarDate& from, const CalendarDate& to);
 
 /// Parses "15:30" or "15:30:20" and returns hours, 0 to 24. Returns nothing for other texts.
 std::optional<double> parse_clock_hour(std::string_view text);
-std::string clock_hour_text(double hour);  ///< "15:30", rounded to the nearest minute
+/// Returns "15:30", rounded to the nearest minute. `hour` must be at least 0. From 23:59:30 on, the result is "24:00".
+std::string clock_hour_text(double hour);
 
 /// The place of a clock: longitude and time zone.
 struct ClockZone {
@@ -53,6 +54,6 @@ struct ClockSun {
 };
 
 /// Returns the sun at `latitude` (radians, positive to the north) on a date at a clock hour.
-ClockSun sun_by_clock(double latitude, const ClockZone& zone, const Date& date, double hour);
+ClockSun sun_by_clock(double latitude, const ClockZone& zone, const CalendarDate& date, double hour);
 
 }  // namespace meristem

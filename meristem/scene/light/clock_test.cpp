@@ -8,8 +8,8 @@ namespace meristem::clock_test {
 constexpr double kAngleError = 0.012;  // degrees: accuracy of the Almanac, plus the rounding of published figures
 
 TEST(Clock, ReadsDatesAndRefusesDaysThatAreNone) {
-  EXPECT_EQ(parse_date("2026-06-21"), (Date{2026, 6, 21}));
-  EXPECT_EQ(parse_date("2024-02-29"), (Date{2024, 2, 29}));
+  EXPECT_EQ(parse_date("2026-06-21"), (CalendarDate{2026, 6, 21}));
+  EXPECT_EQ(parse_date("2024-02-29"), (CalendarDate{2024, 2, 29}));
   for (const char* wrong :
        {"", "2026-6-21", "2026-06-31", "2025-02-29", "2100-02-29", "2026-13-01", "2026-00-01", "2026-06-00",
         "1899-12-31", "2101-01-01", "2026/06/21", "2026-06-21 ", "26-06-21", "+026-06-21", "2026-0x-21"}) {
@@ -23,15 +23,15 @@ TEST(Clock, CountsDaysThroughTheCalendar) {
   EXPECT_EQ(day_of_year({2024, 12, 31}), 366);
   EXPECT_EQ(date_text({2026, 6, 1}), "2026-06-01");
   // Each day of two centuries follows the previous one.
-  Date date{1900, 1, 1};
+  CalendarDate date{1900, 1, 1};
   for (int k = 1; k <= 73413; ++k) {
-    const Date next = later(date, 1);
+    const CalendarDate next = later(date, 1);
     ASSERT_EQ(days_between(date, next), 1) << date_text(date);
     ASSERT_EQ(parse_date(date_text(next)).has_value(), true) << date_text(next);
     date = next;
   }
-  EXPECT_EQ(date, (Date{2100, 12, 31}));
-  EXPECT_EQ(later({2100, 12, 31}, -73413), (Date{1900, 1, 1}));
+  EXPECT_EQ(date, (CalendarDate{2100, 12, 31}));
+  EXPECT_EQ(later({2100, 12, 31}, -73413), (CalendarDate{1900, 1, 1}));
 }
 
 TEST(Clock, ReadsHoursAndRefusesWhatNoClockShows) {
@@ -59,12 +59,13 @@ TEST(Clock, AgreesWithThePublishedSolarPosition) {
 
 // Extremes and zeros of the equation of time, as listed in almanacs, to the day.
 TEST(Clock, EquationOfTimeHasTheKnownExtremes) {
-  const auto minutes = [](const Date& date) { return sun_by_clock(0, {}, date, 12).equation_of_time; };
+  const auto minutes = [](const CalendarDate& date) { return sun_by_clock(0, {}, date, 12).equation_of_time; };
   EXPECT_NEAR(minutes({2026, 2, 11}), -14.2, 0.1);
   EXPECT_NEAR(minutes({2026, 5, 14}), 3.65, 0.1);
   EXPECT_NEAR(minutes({2026, 7, 26}), -6.5, 0.1);
   EXPECT_NEAR(minutes({2026, 11, 3}), 16.45, 0.1);
-  for (const Date& zero : {Date{2026, 4, 15}, Date{2026, 6, 13}, Date{2026, 9, 1}, Date{2026, 12, 25}}) {
+  for (const CalendarDate& zero :
+       {CalendarDate{2026, 4, 15}, CalendarDate{2026, 6, 13}, CalendarDate{2026, 9, 1}, CalendarDate{2026, 12, 25}}) {
     EXPECT_NEAR(minutes(zero), 0, 0.35) << date_text(zero);
   }
 }
@@ -94,7 +95,7 @@ TEST(Clock, OneMomentIsOneSun) {
 TEST(Clock, TheSolarFormulaIsWithinHalfADegree) {
   const double latitude = radians(51.51494);
   for (int k = 0; k < 365; k += 5) {
-    const Date date = later({2026, 1, 1}, k);
+    const CalendarDate date = later({2026, 1, 1}, k);
     const ClockSun clock = sun_by_clock(latitude, {}, date, 13);
     const SkyDirection solar = sun_position(latitude, day_of_year(date), clock.solar_hour);
     EXPECT_NEAR(degrees(solar.altitude), degrees(clock.position.altitude), 0.5) << date_text(date);

@@ -8,6 +8,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
+#include "meristem/scene/light/sampled_days.h"
 
 namespace meristem {
 
@@ -38,22 +39,7 @@ std::vector<DirectionalLight> sun_of_day(double latitude, double day, double eve
 }
 
 std::vector<DirectionalLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours) {
-  std::vector<DirectionalLight> positions;
-  double sum = 0;
-  // Iterate from midnight to midnight without the second one, which equals the first on the polar day.
-  const auto steps = static_cast<int>(std::floor(12 / every_hours));
-  for (const double day : days) {
-    for (int k = -steps; k <= steps; ++k) {
-      const double hour = 12 + k * every_hours;
-      if (hour >= 24) continue;
-      const SkyDirection sun = sun_position(latitude, day, hour);
-      if (!(sun.altitude > 0)) continue;
-      positions.push_back({unit_vector(sun), sun.altitude});
-      sum += sun.altitude;
-    }
-  }
-  for (DirectionalLight& position : positions) position.strength /= sum;
-  return positions;
+  return sampled_days(latitude, days, {.every = every_hours});
 }
 
 std::vector<DirectionalLight> even_sky(double strength) {

@@ -276,18 +276,19 @@ ShadowGrid::BrickCell ShadowGrid::brick_of(const Voxel& voxel) {
 }
 
 void ShadowGrid::add(Vec3 position, double weight) {
-  const Shader shader{position, weight};
+  const ShadeSource shader{position, weight};
   cast_together({&shader, 1}, Progress(), std::numeric_limits<std::uint64_t>::max());
 }
 
-void ShadowGrid::cast(std::span<const Shader> shaders, const Progress& progress, std::uint64_t max_bytes) {
+void ShadowGrid::cast(std::span<const ShadeSource> shaders, const Progress& progress, std::uint64_t max_bytes) {
   for (std::size_t first = 0; first < shaders.size(); first += kTogether) {
     cast_together(shaders.subspan(first, std::min(kTogether, shaders.size() - first)), progress,
                   max_bytes / kBrickBytes);
   }
 }
 
-void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t max_bricks) {
+void ShadowGrid::cast_together(std::span<const ShadeSource> shaders, const Progress& progress,
+                               std::uint64_t max_bricks) {
   progress.check();
   // Sort the shaders by brick and voxel. Distant bricks may have equal keys; their shaders then form alternating
   // groups.

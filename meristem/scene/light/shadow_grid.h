@@ -36,7 +36,7 @@ struct ShadowParameters {
 };
 
 /// A source of shade.
-struct Shader {
+struct ShadeSource {
   Vec3 position{0};   ///< metres
   double weight = 1;  ///< factor on the shade; negative: removes shade cast earlier
 };
@@ -77,7 +77,7 @@ class ShadowGrid {
   void remove(Vec3 position, double weight = 1) { add(position, -weight); }
   /// Adds the shade of many shaders, on all threads. Throws TooMuchMemory before exceeding `max_bytes`, and throws
   /// Cancelled. After an exception, some of the shaders have been cast.
-  void cast(std::span<const Shader> shaders, const Progress& progress,
+  void cast(std::span<const ShadeSource> shaders, const Progress& progress,
             std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max());
   /// Thrown before a call would exceed its limit of memory.
   struct TooMuchMemory {};
@@ -172,7 +172,7 @@ class ShadowGrid {
   }
   static int slab_of(const BrickCell& position) { return position[2] & (kSlabs - 1); }
   static BrickCell brick_of(const Voxel& voxel);
-  void cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t max_bricks);
+  void cast_together(std::span<const ShadeSource> shaders, const Progress& progress, std::uint64_t max_bricks);
   std::size_t brick_count() const;
   const Brick* find(const BrickCell& position) const;
   const Brick* find(const BrickCell& position, Recent& recent) const;

@@ -25,9 +25,9 @@ ShadowParameters form(Vec3 toward_light = kUp) {
 }
 
 /// Makes shaders within a few metres of `middle`.
-std::vector<Shader> crowd(int count, Vec3 middle) {
+std::vector<ShadeSource> crowd(int count, Vec3 middle) {
   const RandomKey key = RandomKey(5).child("crowd");
-  std::vector<Shader> shaders;
+  std::vector<ShadeSource> shaders;
   for (int k = 0; k < count; ++k) {
     const auto at = [&](std::uint64_t i) {
       return static_cast<float>(8 * key.uniform(4 * static_cast<std::uint64_t>(k) + i) - 4);
@@ -73,9 +73,9 @@ TEST(ShadowGrid, WeightsScaleTheShade) {
 }
 
 TEST(ShadowGrid, DoesNotKnowTheOrderOfShaders) {
-  const std::vector<Shader> shaders = crowd(300, Vec3(0));
+  const std::vector<ShadeSource> shaders = crowd(300, Vec3(0));
   ShadowGrid forward(form());
-  for (const Shader& shader : shaders) forward.add(shader.position, shader.weight);
+  for (const ShadeSource& shader : shaders) forward.add(shader.position, shader.weight);
   ShadowGrid backward(form());
   for (auto shader = shaders.rbegin(); shader != shaders.rend(); ++shader) {
     backward.add(shader->position, shader->weight);
@@ -92,21 +92,21 @@ TEST(ShadowGrid, DoesNotKnowTheOrderOfShaders) {
 }
 
 TEST(ShadowGrid, RemovingIsTheExactInverse) {
-  const std::vector<Shader> stay = crowd(40, Vec3(0));
-  const std::vector<Shader> leave = crowd(500, Vec3(3));
+  const std::vector<ShadeSource> stay = crowd(40, Vec3(0));
+  const std::vector<ShadeSource> leave = crowd(500, Vec3(3));
   ShadowGrid before(form());
-  for (const Shader& shader : stay) before.add(shader.position, shader.weight);
+  for (const ShadeSource& shader : stay) before.add(shader.position, shader.weight);
   ShadowGrid after = before;
-  for (const Shader& shader : leave) after.add(shader.position, shader.weight);
+  for (const ShadeSource& shader : leave) after.add(shader.position, shader.weight);
   EXPECT_GT(after.bytes(), before.bytes());
-  for (const Shader& shader : leave) after.remove(shader.position, shader.weight);
+  for (const ShadeSource& shader : leave) after.remove(shader.position, shader.weight);
   EXPECT_EQ(after.bytes(), before.bytes());
   for (int x = -16; x <= 16; ++x) {
     for (int y = -16; y <= 16; ++y) {
       for (int z = -16; z <= 16; ++z) ASSERT_EQ(after.shade(voxel(x, y, z)), before.shade(voxel(x, y, z)));
     }
   }
-  for (const Shader& shader : stay) after.remove(shader.position, shader.weight);
+  for (const ShadeSource& shader : stay) after.remove(shader.position, shader.weight);
   EXPECT_TRUE(after.empty());
   EXPECT_EQ(after.bytes(), 0U);
 }
@@ -265,17 +265,17 @@ TEST(ShadowGrid, RefusesFormsOutOfRange) {
 
 TEST(ShadowGrid, ManyAtOnceCastWhatTheyCastOneByOne) {
   // Some shaders share a voxel, and some are removed in the same call, on any number of threads.
-  std::vector<Shader> shaders = crowd(2000, Vec3(0));
+  std::vector<ShadeSource> shaders = crowd(2000, Vec3(0));
   for (std::size_t k = 0; k < 500; ++k) shaders.push_back({shaders[k].position, -shaders[k].weight});
   for (std::size_t k = 500; k < 700; ++k) shaders.push_back(shaders[k]);
   ShadowGrid wanted(form());
-  for (const Shader& shader : shaders) wanted.add(shader.position, shader.weight);
+  for (const ShadeSource& shader : shaders) wanted.add(shader.position, shader.weight);
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
     ShadowGrid grid(form());
     grid.cast(shaders, Progress());
     EXPECT_EQ(grid.bytes(), wanted.bytes());
-    for (const Shader& shader : shaders) {
+    for (const ShadeSource& shader : shaders) {
       ASSERT_EQ(grid.shade(shader.position), wanted.shade(shader.position));
       ASSERT_EQ(grid.brighter_way(shader.position), wanted.brighter_way(shader.position));
     }
@@ -285,7 +285,7 @@ TEST(ShadowGrid, ManyAtOnceCastWhatTheyCastOneByOne) {
 TEST(ShadowGrid, ManyPlacesAreAskedAsEachAlone) {
   ShadowGrid grid(form());
   std::vector<Vec3> places;
-  for (const Shader& shader : crowd(300, Vec3(0))) {
+  for (const ShadeSource& shader : crowd(300, Vec3(0))) {
     grid.add(shader.position, shader.weight);
     places.push_back(shader.position);
     places.push_back(50.0F * shader.position);
@@ -297,7 +297,7 @@ TEST(ShadowGrid, ManyPlacesAreAskedAsEachAlone) {
 }
 
 TEST(ShadowGrid, CastsNoMoreThanItMayHold) {
-  const std::vector<Shader> shaders = crowd(2000, Vec3(0));
+  const std::vector<ShadeSource> shaders = crowd(2000, Vec3(0));
   ShadowGrid whole(form());
   whole.cast(shaders, Progress());
   ShadowGrid enough(form());

@@ -168,7 +168,7 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
   if (left != 0 && std::ranges::any_of(lookers, yields)) share(left, true);
 }
 
-void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
+void MarkerField::share_out(std::span<const SpaceSeeker> seekers, std::span<BudRoom> rooms, const Progress& progress,
                             std::uint64_t max_bytes) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
   const std::uint64_t max_sightings = std::min<std::uint64_t>(max_bytes / kBytesASighting, kMaxSightings);
@@ -190,7 +190,7 @@ void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> roo
     }
   });
 
-  std::fill(rooms.begin(), rooms.end(), Room());
+  std::fill(rooms.begin(), rooms.end(), BudRoom());
   for (std::size_t k = 0; k < tallies.size(); ++k) {
     const Tally& tally = tallies[k];
     const DVec3 way(static_cast<double>(tally.way[0]), static_cast<double>(tally.way[1]),

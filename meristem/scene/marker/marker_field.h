@@ -32,7 +32,7 @@ struct MarkerParameters {
 };
 
 /// A bud that searches for space.
-struct Seeker {
+struct SpaceSeeker {
   Vec3 position{0};            ///< metres
   Vec3 direction{kUp};         ///< unit vector along the cone's axis
   std::uint32_t volume = 0;    ///< index from add_volume(); the seeker sees only markers of this volume
@@ -42,7 +42,7 @@ struct Seeker {
 };
 
 /// The result of a seeker.
-struct Room {
+struct BudRoom {
   std::uint32_t count = 0;  ///< number of markers
   Vec3 way{0};              ///< sum of the unit vectors to these markers
 };
@@ -72,7 +72,7 @@ class MarkerField {
   /// depend on the number of threads. Throws std::invalid_argument for seekers out of range. Throws TooMuchMemory if
   /// the round would need more than `max_bytes` in addition to the field itself. Throws Cancelled. After TooMuchMemory
   /// or Cancelled, `rooms` is unchanged.
-  void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
+  void share_out(std::span<const SpaceSeeker> seekers, std::span<BudRoom> rooms, const Progress& progress,
                  std::uint64_t max_bytes = ~std::uint64_t{0});
   /// Thrown before a call would exceed its limit of memory.
   struct TooMuchMemory {};

@@ -47,9 +47,9 @@ std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed
 }
 
 /// Two buds at each position, as at the end of a metamer, with the volumes in turn.
-std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
+std::vector<SpaceSeeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("buds");
-  std::vector<Seeker> seekers;
+  std::vector<SpaceSeeker> seekers;
   for (const Vec3 position : places) {
     const auto volume = static_cast<std::uint32_t>(seekers.size() / 2 % volumes);
     for (int k = 0; k < 2; ++k) seekers.push_back({position, key.direction(seekers.size()), volume, 0.4F, 0.70710678F});
@@ -57,13 +57,13 @@ std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volum
   return seekers;
 }
 
-std::vector<Room> share_out(MarkerField& field, const std::vector<Seeker>& seekers) {
-  std::vector<Room> rooms(seekers.size());
+std::vector<BudRoom> share_out(MarkerField& field, const std::vector<SpaceSeeker>& seekers) {
+  std::vector<BudRoom> rooms(seekers.size());
   field.share_out(seekers, rooms, Progress());
   return rooms;
 }
 
-void expect_same(const std::vector<Room>& a, const std::vector<Room>& b) {
+void expect_same(const std::vector<BudRoom>& a, const std::vector<BudRoom>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
     ASSERT_EQ(a[k].count, b[k].count) << k;
@@ -71,9 +71,9 @@ void expect_same(const std::vector<Room>& a, const std::vector<Room>& b) {
   }
 }
 
-std::uint32_t total(const std::vector<Room>& rooms) {
+std::uint32_t total(const std::vector<BudRoom>& rooms) {
   std::uint32_t sum = 0;
-  for (const Room& room : rooms) sum += room.count;
+  for (const BudRoom& room : rooms) sum += room.count;
   return sum;
 }
 
@@ -100,7 +100,7 @@ class PlainField {
     }
   }
 
-  std::vector<Room> share_out(const std::vector<Seeker>& seekers) const {
+  std::vector<BudRoom> share_out(const std::vector<SpaceSeeker>& seekers) const {
     struct Claim {
       float square = std::numeric_limits<float>::infinity();
       std::size_t seeker = 0;
@@ -120,7 +120,7 @@ class PlainField {
       }
     }
     std::vector<DVec3> sums(seekers.size(), DVec3(0));
-    std::vector<Room> rooms(seekers.size());
+    std::vector<BudRoom> rooms(seekers.size());
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       const auto [square, k] = claims[i];
       if (square == std::numeric_limits<float>::infinity()) continue;
@@ -149,7 +149,7 @@ class PlainField {
 };
 
 /// Counts must be equal; directions may differ by rounding.
-void expect_like_plain(const std::vector<Room>& rooms, const std::vector<Room>& plain) {
+void expect_like_plain(const std::vector<BudRoom>& rooms, const std::vector<BudRoom>& plain) {
   ASSERT_EQ(rooms.size(), plain.size());
   for (std::size_t k = 0; k < rooms.size(); ++k) {
     ASSERT_EQ(rooms[k].count, plain[k].count) << "bud " << k;
@@ -190,7 +190,7 @@ TEST(MarkerField, ABudFindsTheShareOfABallThatItsConeCuts) {
   MarkerField field({.spacing = 0.02, .occupancy = 0}, RandomKey(4));
   field.add_volume(nullptr, Vec3(0));
   for (const float cosine : {0.9F, 0.5F, 0.0F, -0.5F, -1.0F}) {
-    const Room room = share_out(field, {{{0.3F, 0.2F, 0.1F}, {0, 0.6F, 0.8F}, 0, 0.4F, cosine}}).front();
+    const BudRoom room = share_out(field, {{{0.3F, 0.2F, 0.1F}, {0, 0.6F, 0.8F}, 0, 0.4F, cosine}}).front();
     // The cone has the solid angle 2 pi (1 - c), and the mean component of a unit vector along its axis is (1 + c) / 2.
     const double expected = 2 * kPi / 3 * (1 - cosine) * 0.4 * 0.4 * 0.4 / (0.02 * 0.02 * 0.02);
     EXPECT_NEAR(room.count, expected, 0.02 * expected) << cosine;
@@ -202,7 +202,7 @@ TEST(MarkerField, ABudFindsTheShareOfABallThatItsConeCuts) {
 TEST(MarkerField, AShootTakesTheBallAroundIt) {
   MarkerField field({.spacing = 0.02, .occupancy = 0.2}, RandomKey(4));
   field.add_volume(nullptr, Vec3(0));
-  const Seeker all_around{Vec3(0.5F), kUp, 0, 0.4F, -1};
+  const SpaceSeeker all_around{Vec3(0.5F), kUp, 0, 0.4F, -1};
   const std::uint32_t before = share_out(field, {all_around}).front().count;
   field.occupy(all_around.position);
   const std::uint32_t after = share_out(field, {all_around}).front().count;
@@ -223,11 +223,11 @@ TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
         field.occupy(position);
         plain.occupy(position);
       }
-      std::vector<Seeker> seekers = buds_at(crowd(60, middle, 0.8F, 10 * seed + round + 5), volumes, seed);
+      std::vector<SpaceSeeker> seekers = buds_at(crowd(60, middle, 0.8F, 10 * seed + round + 5), volumes, seed);
       for (std::size_t k = 0; k < seekers.size(); k += 7) seekers[k].radius = 0.1F * static_cast<float>(k % 5);
       for (std::size_t k = 0; k < seekers.size(); k += 5) seekers[k].cosine = -1 + 0.2F * static_cast<float>(k % 11);
       for (std::size_t k = 0; k < seekers.size(); k += 13) seekers[k].radius = seekers[k].volume < 2 ? 1.2F : 0.4F;
-      const std::vector<Room> rooms = share_out(field, seekers);
+      const std::vector<BudRoom> rooms = share_out(field, seekers);
       EXPECT_GT(total(rooms), 300U);
       expect_like_plain(rooms, plain.share_out(seekers));
       if (HasFatalFailure()) return;
@@ -244,8 +244,8 @@ TEST(MarkerField, IsTheSameFarFromTheOrigin) {
     field.occupy(position);
     plain.occupy(position);
   }
-  const std::vector<Seeker> seekers = buds_at(crowd(100, far + kUp, 1), 1);
-  const std::vector<Room> rooms = share_out(field, seekers);
+  const std::vector<SpaceSeeker> seekers = buds_at(crowd(100, far + kUp, 1), 1);
+  const std::vector<BudRoom> rooms = share_out(field, seekers);
   EXPECT_GT(total(rooms), 500U);
   expect_like_plain(rooms, plain.share_out(seekers));
 }
@@ -256,12 +256,12 @@ TEST(MarkerField, IsTheSameAtTheLongestReach) {
   PlainField plain(field, {kUp - 1.75F, kUp + 1.75F}, 1);
   field.occupy({1.5F, 0, 0});
   plain.occupy({1.5F, 0, 0});
-  std::vector<Seeker> seekers = buds_at(crowd(8, {-0.5F, 1, 0}, 1), 1);
+  std::vector<SpaceSeeker> seekers = buds_at(crowd(8, {-0.5F, 1, 0}, 1), 1);
   for (std::size_t k = 0; k < seekers.size(); ++k) {
     seekers[k].radius = 2;
     seekers[k].cosine = 1 - static_cast<float>(k * k) / 128;
   }
-  const std::vector<Room> rooms = share_out(field, seekers);
+  const std::vector<BudRoom> rooms = share_out(field, seekers);
   EXPECT_GT(total(rooms), 10'000U);
   expect_like_plain(rooms, plain.share_out(seekers));
 }
@@ -269,22 +269,22 @@ TEST(MarkerField, IsTheSameAtTheLongestReach) {
 TEST(MarkerField, EachMarkerGoesToOneBud) {
   MarkerField field(kForm, RandomKey(2));
   field.add_volume(nullptr, Vec3(0));
-  const Seeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
-  const std::vector<Room> alone = share_out(field, {bud});
+  const SpaceSeeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
+  const std::vector<BudRoom> alone = share_out(field, {bud});
   ASSERT_GT(alone[0].count, 100U);
   // The first of two seekers at one position gets all markers.
-  const std::vector<Room> twins = share_out(field, {bud, bud});
+  const std::vector<BudRoom> twins = share_out(field, {bud, bud});
   expect_same({twins[0]}, alone);
   EXPECT_EQ(twins[1].count, 0U);
   EXPECT_EQ(twins[1].way, Vec3(0));
   // Neighbouring buds divide their markers at the plane between them.
-  Seeker other = bud;
+  SpaceSeeker other = bud;
   other.position.x += 0.1F;
-  const std::vector<Room> pair = share_out(field, {bud, other});
+  const std::vector<BudRoom> pair = share_out(field, {bud, other});
   EXPECT_LT(pair[0].way.x, -0.2F * static_cast<float>(pair[0].count));
   EXPECT_GT(pair[1].way.x, 0.2F * static_cast<float>(pair[1].count));
   // Together, the buds get every marker that one of them sees.
-  std::vector<Seeker> crowded(50, bud);
+  std::vector<SpaceSeeker> crowded(50, bud);
   for (std::size_t k = 0; k < crowded.size(); ++k) crowded[k].direction = RandomKey(7).direction(k);
   EXPECT_EQ(total(share_out(field, crowded)), alone[0].count);
 }
@@ -292,21 +292,22 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
 TEST(MarkerField, WhoYieldsGetsWhatNobodyElseSees) {
   MarkerField field(kForm, RandomKey(2));
   field.add_volume(nullptr, Vec3(0));
-  const std::vector<Seeker> living = buds_at(crowd(12, kUp, 0.5F), 1);
-  std::vector<Seeker> all = buds_at(crowd(8, kUp, 0.7F, 5), 1, 5);  // nearer to some markers, and first in the list
+  const std::vector<SpaceSeeker> living = buds_at(crowd(12, kUp, 0.5F), 1);
+  std::vector<SpaceSeeker> all =
+      buds_at(crowd(8, kUp, 0.7F, 5), 1, 5);  // nearer to some markers, and first in the list
   const std::size_t yielding = all.size();
   all.insert(all.end(), living.begin(), living.end());
   const std::uint32_t seen = total(share_out(field, all));
   for (std::size_t k = 0; k < yielding; ++k) all[k].yields = true;
-  const std::vector<Room> rooms = share_out(field, all);
-  const std::vector<Room> left(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(yielding));
+  const std::vector<BudRoom> rooms = share_out(field, all);
+  const std::vector<BudRoom> left(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(yielding));
   // The other seekers get the same markers as without the yielding ones, and every marker that is seen is assigned.
   expect_same({rooms.begin() + static_cast<std::ptrdiff_t>(yielding), rooms.end()}, share_out(field, living));
   EXPECT_GT(total(left), 100U);
   EXPECT_EQ(total(rooms), seen);
   // A yielding seeker gets no marker that a bud at the same position sees, in any order of the list.
-  Seeker stump{Vec3(0.2F), kUp, 0, 0.4F, -1, true};
-  Seeker bud = stump;
+  SpaceSeeker stump{Vec3(0.2F), kUp, 0, 0.4F, -1, true};
+  SpaceSeeker bud = stump;
   bud.yields = false;
   EXPECT_EQ(share_out(field, {stump, bud})[0].count, 0U);
   EXPECT_EQ(share_out(field, {stump})[0].count, share_out(field, {bud})[0].count);
@@ -323,7 +324,7 @@ TEST(MarkerField, NoBudSeesMarkersInObstaclesOrOutsideItsVolume) {
     EXPECT_FALSE(obstacles.contain(Vec3(marker)));
   }
   // Buds everywhere take all markers, each once.
-  std::vector<Seeker> seekers;
+  std::vector<SpaceSeeker> seekers;
   for (int k = 0; k < 1000; ++k) {
     const Vec3 step(static_cast<float>(k % 10), static_cast<float>(k / 10 % 10), static_cast<float>(k / 100));
     seekers.push_back({Vec3(-0.7F, 0.1F, -0.9F) + 0.2F * step, kUp, volume, 0.4F, -1});
@@ -335,8 +336,8 @@ TEST(MarkerField, VacatingIsTheExactInverse) {
   MarkerField field(kForm, RandomKey(3), wall());
   const std::uint32_t volumes = 1 + field.add_volume(ball(1), Vec3(0));
   for (const Vec3 position : crowd(60, kUp, 1, 1)) field.occupy(position);
-  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1, 2), volumes);
-  const std::vector<Room> before = share_out(field, seekers);
+  const std::vector<SpaceSeeker> seekers = buds_at(crowd(300, kUp, 1, 2), volumes);
+  const std::vector<BudRoom> before = share_out(field, seekers);
   const std::vector<Vec3> leave = crowd(800, kUp, 1, 3);
   for (const Vec3 position : leave) field.occupy(position);
   EXPECT_LT(total(share_out(field, seekers)), total(before) / 2);
@@ -347,13 +348,13 @@ TEST(MarkerField, VacatingIsTheExactInverse) {
 TEST(MarkerField, CountsMoreShootsThanAByteHolds) {
   MarkerField field(kForm, RandomKey(3));
   field.add_volume(nullptr, Vec3(0));
-  const std::vector<Seeker> seekers = buds_at(crowd(20, Vec3(0), 0.3F), 1);
-  const std::vector<Room> before = share_out(field, seekers);
+  const std::vector<SpaceSeeker> seekers = buds_at(crowd(20, Vec3(0), 0.3F), 1);
+  const std::vector<BudRoom> before = share_out(field, seekers);
   const auto repeat = [](int times, const std::function<void()>& what) {
     for (int k = 0; k < times; ++k) what();
   };
   repeat(1, [&] { field.occupy(Vec3(0)); });
-  const std::vector<Room> taken = share_out(field, seekers);
+  const std::vector<BudRoom> taken = share_out(field, seekers);
   EXPECT_NE(total(taken), total(before));
   for (const int times : {254, 1, 1, 300, 512}) {
     repeat(times, [&] { field.occupy(Vec3(0)); });
@@ -375,7 +376,7 @@ RC_GTEST_PROP(MarkerField, DoesNotKnowTheOrderOfShoots, ()) {
   const auto count = *rc::gen::inRange(0, 100);
   const std::vector<Vec3> places = crowd(count, Vec3(0), 0.8F, seed);
   const std::vector<Vec3> gone = crowd(20, Vec3(0), 0.8F, seed + 1);
-  const std::vector<Seeker> seekers = buds_at(places, 1);
+  const std::vector<SpaceSeeker> seekers = buds_at(places, 1);
   MarkerField forward(kForm, RandomKey(1));
   MarkerField backward(kForm, RandomKey(1));
   forward.add_volume(nullptr, Vec3(0));
@@ -392,8 +393,8 @@ TEST(MarkerField, ARoundDoesNotChangeTheNext) {
   field.add_volume(ball(1), Vec3(0));
   field.add_volume(ball(1), {0.4F, 0, 0});
   for (const Vec3 position : crowd(60, kUp, 1)) field.occupy(position);
-  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1), 2);
-  const std::vector<Room> first = share_out(field, seekers);
+  const std::vector<SpaceSeeker> seekers = buds_at(crowd(300, kUp, 1), 2);
+  const std::vector<BudRoom> first = share_out(field, seekers);
   const std::size_t bytes = field.bytes();
   share_out(field, buds_at(crowd(50, Vec3(3), 1), 1));
   expect_same(share_out(field, seekers), first);
@@ -404,7 +405,7 @@ TEST(MarkerField, ARoundDoesNotChangeTheNext) {
 }
 
 TEST(MarkerField, IsTheSameOnAnyNumberOfThreads) {
-  std::vector<Room> first;
+  std::vector<BudRoom> first;
   std::size_t bytes = 0;
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
@@ -412,7 +413,7 @@ TEST(MarkerField, IsTheSameOnAnyNumberOfThreads) {
     field.add_volume(ball(2), Vec3(0));
     field.add_volume(ball(2), {0.5F, 0, 0});
     for (const Vec3 position : crowd(2000, kUp, 2, 8)) field.occupy(position);
-    const std::vector<Room> rooms = share_out(field, buds_at(crowd(5000, kUp, 2, 9), 2));
+    const std::vector<BudRoom> rooms = share_out(field, buds_at(crowd(5000, kUp, 2, 9), 2));
     if (threads == 1) {
       first = rooms;
       bytes = field.bytes();
@@ -428,7 +429,7 @@ TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
     MarkerField field(kForm, RandomKey(3));
     field.add_volume(std::make_shared<ProfileCrown>(ProfileCrown::Profile{{size, -size}, {size, size}}), Vec3(0));
     for (const Vec3 position : crowd(100, Vec3(0), 1)) field.occupy(position);
-    const std::vector<Room> rooms = share_out(field, buds_at(crowd(100, Vec3(0), 1), 1));
+    const std::vector<BudRoom> rooms = share_out(field, buds_at(crowd(100, Vec3(0), 1), 1));
     return std::pair(total(rooms), field.bytes());
   };
   EXPECT_EQ(bytes_in(3), bytes_in(500)) << "metres each way";
@@ -437,8 +438,8 @@ TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
 TEST(MarkerField, StopsWhenAsked) {
   MarkerField field(kForm, RandomKey(3));
   field.add_volume(ball(1), Vec3(0));
-  const std::vector<Seeker> seekers = buds_at(crowd(100, kUp, 1), 1);
-  std::vector<Room> rooms(seekers.size(), {.count = 7});
+  const std::vector<SpaceSeeker> seekers = buds_at(crowd(100, kUp, 1), 1);
+  std::vector<BudRoom> rooms(seekers.size(), {.count = 7});
   Progress progress;
   progress.cancel();
   EXPECT_THROW(field.share_out(seekers, rooms, progress), Cancelled);
@@ -463,7 +464,7 @@ TEST(MarkerField, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(field.occupy({0, static_cast<float>(nan), 0}), std::invalid_argument);
   EXPECT_THROW(field.occupy({0, 0, 1e9F}), std::invalid_argument);
   EXPECT_THROW(field.vacate({0, 0, 0}), std::invalid_argument);
-  const auto is_refused = [&](const Seeker& seeker) {
+  const auto is_refused = [&](const SpaceSeeker& seeker) {
     try {
       share_out(field, {seeker});
       return false;
@@ -482,8 +483,8 @@ TEST(MarkerField, RefusesWhatIsOutOfRange) {
   EXPECT_TRUE(is_refused({.direction = {0, no_number, 0}}));
   EXPECT_TRUE(is_refused({.cosine = 1.1F}));
   EXPECT_TRUE(is_refused({.volume = 1}));
-  std::vector<Room> rooms(2);
-  EXPECT_THROW(field.share_out(std::vector<Seeker>(1), rooms, Progress()), std::invalid_argument);
+  std::vector<BudRoom> rooms(2);
+  EXPECT_THROW(field.share_out(std::vector<SpaceSeeker>(1), rooms, Progress()), std::invalid_argument);
 }
 
 }  // namespace meristem::marker_field_test

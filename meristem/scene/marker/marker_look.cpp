@@ -24,7 +24,7 @@ constexpr float kMargin = 0.125F;  // voxels; larger than any rounding error her
 using Cell = MarkerBricks::Cell;
 using Range = MarkerBricks::Range;
 
-void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
+void check(const SpaceSeeker& seeker, double spacing, std::size_t volume_count) {
   require(seeker.volume < volume_count, "Seeker::volume is none that was added");
   require(seeker.radius >= 0 && seeker.radius <= MarkerBricks::kMaxReach * spacing, "Seeker::radius is out of range");
   require(std::abs(seeker.cosine) <= 1, "Seeker::cosine is out of range");
@@ -133,7 +133,7 @@ class Looker {
  public:
   explicit Looker(const MarkerBricks& bricks) : bricks_(bricks) {}
 
-  void look(const Seeker& seeker, std::uint32_t index, LookAround& around, std::vector<Missing>& missing) {
+  void look(const SpaceSeeker& seeker, std::uint32_t index, LookAround& around, std::vector<Missing>& missing) {
     const MarkerBricks::FinePosition place = bricks_.fine(seeker.position);
     const float radius = seeker.radius / static_cast<float>(bricks_.spacing());
     const Cone cone(place, seeker.direction, radius, seeker.cosine);
@@ -169,9 +169,9 @@ class Looker {
 };
 
 /// Returns the seekers ordered by brick. Creates the blocks of these bricks.
-std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const Seeker> seekers,
+std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const SpaceSeeker> seekers,
                                          std::size_t volume_count, const Progress& progress) {
-  const auto brick_of = [&](const Seeker& seeker) {
+  const auto brick_of = [&](const SpaceSeeker& seeker) {
     const MarkerBricks::FinePosition place = bricks.fine(seeker.position);
     return MarkerBricks::holder(MarkerBricks::voxels(place, Vec3(0), Vec3(0)).low);
   };
@@ -203,7 +203,7 @@ std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const S
 
 }  // namespace
 
-std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
+std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const SpaceSeeker> seekers,
                                                    std::size_t volume_count, std::uint64_t max_sightings,
                                                    const Progress& progress) {
   const std::vector<std::uint32_t> order = spatial_order(bricks, seekers, volume_count, progress);
@@ -217,7 +217,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
     Looker looker(bricks);
     const std::size_t part = begin / kGrain;
     // Fetch several seekers together, because each may cause a cache miss.
-    std::array<Seeker, kAtOnce> fetched;
+    std::array<SpaceSeeker, kAtOnce> fetched;
     for (std::size_t first = begin; first < end; first += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, end - first);
       for (std::size_t k = 0; k < count; ++k) fetched[k] = seekers[order[first + k]];

@@ -44,7 +44,7 @@ struct LookAround {
 /// Finds the looks and sightings of all seekers, and creates missing blocks. Returns nothing if there would be more
 /// than `max_sightings` sightings; a little more memory may be used before this is known. Throws std::invalid_argument
 /// for seekers out of range. Throws Cancelled.
-std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
+std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const SpaceSeeker> seekers,
                                                    std::size_t volume_count, std::uint64_t max_sightings,
                                                    const Progress& progress);
 

@@ -370,7 +370,7 @@ void check_inside(const TriangleMesh& mesh) {
 TEST(Obstacles, HousesHaveTheirInside) {
   for (const std::string& file : data_files({"models/house.obj"}, {"obstacles/house.obj"})) {
     SCOPED_TRACE(file);
-    check_inside(read_mesh(file, Limits{}));
+    check_inside(read_mesh(file, SizeLimits{}));
   }
 }
 

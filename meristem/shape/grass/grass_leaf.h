@@ -26,7 +26,8 @@ struct GrassLeaf {
   std::size_t point_count() const { return s.size(); }  ///< number of points of the midrib
 };
 
-/// Throws std::invalid_argument with the problem if lists or numbers violate the description above.
+/// Throws std::invalid_argument with the problem if lists or numbers violate the description above. Does not check that
+/// the collar is at (0, 0), and that widths are at most 1.
 void check_grass_leaf(const GrassLeaf& leaf);
 
 /// Returns the area of a blade with this midrib and these widths, in square metres. Each piece of the midrib is a
@@ -34,7 +35,8 @@ void check_grass_leaf(const GrassLeaf& leaf);
 double area(const GrassLeaf& leaf);
 
 /// Returns the widths as shares of their mean along the leaf, instead of the largest. Over s from 0 to 1 they integrate
-/// to 1. Based on: Fournier and Pradal (2012), section 2.2, where widths are normalised by the area.
+/// to 1. Widths that are all 0 stay 0. Based on: Fournier and Pradal (2012), section 2.2, where widths are normalised
+/// by the area.
 std::vector<double> widths_by_area(const GrassLeaf& leaf);
 
 /// Returns the angle of each piece of the midrib, radians away from the stem: 0 along it, half pi level, pi straight
@@ -49,9 +51,11 @@ void lay_even_pieces(GrassLeaf& leaf, const std::vector<double>& angles);
 
 /// Returns the leaf with `pieces` pieces of equal length along the midrib. Each piece gets the direction of the midrib
 /// over its middle, so length and shape are kept. A leaf that already has as many equal pieces stays unchanged.
+/// `pieces` must be at least 1.
 GrassLeaf resampled(const GrassLeaf& leaf, std::size_t pieces);
 
-/// Returns the value at `place` along the leaf from a list with one number per point, linear between points.
+/// Returns the value at `place` along the leaf (0 at the collar, 1 at the tip) from a list with one number per point.
+/// It is linear between points. Places below 0 and above 1 have the value of the nearest end.
 double along_leaf(const GrassLeaf& leaf, const std::vector<double>& list, double place);
 
 /// Returns the direction at `place` from the angles of the pieces, linear between their middles and constant beyond the

@@ -40,8 +40,9 @@ struct LeafLoads {
 GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads);
 
 /// Returns the factor on `loads.pull` and `loads.wind` with which the midrib at `place` turns by `angle` radians
-/// (positive: down) from its given form, with unchanged gravity. Throws std::invalid_argument if no factor up to 1000
-/// is sufficient.
+/// (positive: down) from its given form, with unchanged gravity. Returns 0 for an angle of 0. Throws
+/// std::invalid_argument like loaded(), and for a `place` that is not above 0 and at most 1. Also throws if no factor
+/// up to 1000 is sufficient, or if the leaf snaps past the angle.
 double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads, double place, double angle);
 
 }  // namespace meristem

@@ -115,7 +115,8 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
 
 /// Calls `check` for each curve and collects the errors that it throws.
 template <class Check>
-void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::vector<Diagnostic>& errors, Check check) {
+void check_all(std::vector<MeasuredCurve>& curves, const SizeLimits& limits, std::vector<Diagnostic>& errors,
+               Check check) {
   for (MeasuredCurve& curve : curves) {
     if (errors.size() >= limits.diagnostics) break;
     try {
@@ -144,8 +145,8 @@ double nearest_of_widths(const MeasuredCurve& widths) {
 /// Removes the points whose `distance` from the point before is at most `nearest`, with a warning each. A curve that
 /// would have too few points left stays unchanged, so that its errors are reported.
 template <class Distance>
-void leave_out_repeats(MeasuredCurve& curve, double nearest, Distance distance, const char* what, const Limits& limits,
-                       std::vector<Diagnostic>& warnings) {
+void leave_out_repeats(MeasuredCurve& curve, double nearest, Distance distance, const char* what,
+                       const SizeLimits& limits, std::vector<Diagnostic>& warnings) {
   if (!std::isfinite(nearest)) return;
   MeasuredCurve kept{curve.rank, curve.lindex, curve.age, {}, {}};
   std::vector<Diagnostic> found;
@@ -227,7 +228,7 @@ bool turn_to_base(MeasuredCurve& widths) {
   return true;
 }
 
-std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits,
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const SizeLimits& limits,
                                         std::vector<Diagnostic>& warnings) {
   const Columns columns = read_columns(text,
                                        {{"rank", false},
@@ -247,7 +248,8 @@ std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& lim
   return midribs;
 }
 
-std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings) {
+std::vector<MeasuredCurve> read_widths(std::string_view text, const SizeLimits& limits,
+                                       std::vector<Diagnostic>& warnings) {
   Columns columns = read_columns(text,
                                  {{"rank", false},
                                   {"rankclass", false},

@@ -26,12 +26,14 @@ struct MeasuredCurve {
 /// Reads a text with the columns x and y (away from the stem and up, in any unit) and optionally rank, lindex and age.
 /// Points with equal values of these belong to one midrib. Points that repeat the point before are left out with a
 /// warning each. Throws an InputError with all other errors by line, including the errors of check_midrib.
-std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const SizeLimits& limits,
+                                        std::vector<Diagnostic>& warnings);
 
 /// Reads a text with the columns s (distance from the base) and r (width, or share of the widest) and optionally rank
 /// or rankclass, and lindex. Repetitions are handled as in read_midribs, and errors are thrown as in check_widths.
 /// Widths that run from the tip to the base are reversed with a warning each.
-std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
+std::vector<MeasuredCurve> read_widths(std::string_view text, const SizeLimits& limits,
+                                       std::vector<Diagnostic>& warnings);
 
 /// Throws an InputError if a midrib has fewer than 3 points, two equal points in a row (nearer than a millionth of its
 /// length), or numbers that are not finite or exceed 1e9.

@@ -169,11 +169,11 @@ TEST(MeasuredLeaves, TellsTheFaultsOfAllLeavesAtOnceUpToTheLimit) {
     for (int row = 0; row < 3; ++row) text += fmt::format("{},1,1\n", rank);
   }
   const Errors errors = midrib_errors(text);
-  EXPECT_EQ(errors.size(), Limits{}.diagnostics);
+  EXPECT_EQ(errors.size(), SizeLimits{}.diagnostics);
   EXPECT_EQ(errors[2].line, 6);
   text = "rank,x,y\n";
   for (int row = 0; row < 300; ++row) text += fmt::format("0.5,{},1\n", row);
-  EXPECT_EQ(midrib_errors(text).size(), Limits{}.diagnostics);
+  EXPECT_EQ(midrib_errors(text).size(), SizeLimits{}.diagnostics);
 }
 
 TEST(MeasuredLeaves, CurvesWithoutLinesNameTheRow) {
@@ -226,7 +226,7 @@ TEST(MeasuredLeaves, FilesOfManyMidribsAllRead) {
   for (const auto& [file, midribs] : data_sets<std::size_t>(
            {{"tests/data/grass/midribs.csv", 72}, {"tests/data/grass/midribs_by_age.csv", 30}},
            {{"grass/So99.csv", 450}, {"grass/median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv", 50}})) {
-    EXPECT_EQ(midribs_in(read_file(file, Limits{}.file_bytes)).size(), midribs) << file;
+    EXPECT_EQ(midribs_in(read_file(file, SizeLimits{}.file_bytes)).size(), midribs) << file;
   }
 }
 
@@ -235,7 +235,7 @@ TEST(MeasuredLeaves, FilesOfWidthsAllReadWithoutWarnings) {
        data_sets<std::size_t>({{"tests/data/grass/widths.csv", 6}, {"tests/data/grass/few_widths.csv", 2}},
                               {{"grass/SRSo.csv", 6}, {"grass/srdb_GrignonMercia2010.csv", 2}})) {
     Errors warnings;
-    EXPECT_EQ(read_widths(read_file(file, Limits{}.file_bytes), {}, warnings).size(), classes) << file;
+    EXPECT_EQ(read_widths(read_file(file, SizeLimits{}.file_bytes), {}, warnings).size(), classes) << file;
     EXPECT_TRUE(warnings.empty()) << file;
   }
 }

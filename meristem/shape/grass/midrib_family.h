@@ -33,7 +33,8 @@ class MidribFamily {
   std::vector<std::vector<double>> angles_;  // indexed by age, then piece
 };
 
-/// Returns the share of its final length that a leaf shows at `age`. It rises evenly to 1 at `full_age`.
+/// Returns the share of its final length that a leaf shows at `age`. It rises evenly from 0 at age 0 to 1 at
+/// `full_age`, and is constant before and after. `full_age` must be above 0.
 double visible_share(double age, double full_age);
 
 /// Returns the leaf at `age`: its midrib from the family, and the widths of its visible part, since the tip emerges

@@ -56,7 +56,7 @@ struct BlockPlaces {
 /// Counts the bytes of all threads against the limit.
 class BrickBudget {
  public:
-  BrickBudget(const Limits& limits, const std::string& path) : limits_(limits), path_(path) {}
+  BrickBudget(const SizeLimits& limits, const std::string& path) : limits_(limits), path_(path) {}
 
   void spend(std::uint64_t bytes) {
     if ((bytes_ += bytes) <= limits_.mesh_bytes) return;
@@ -66,7 +66,7 @@ class BrickBudget {
   }
 
  private:
-  const Limits& limits_;
+  const SizeLimits& limits_;
   const std::string& path_;
   std::atomic<std::uint64_t> bytes_{0};
 };
@@ -203,7 +203,7 @@ Region whole_region(const ImplicitBody& body, BodyBricks& bricks, const std::str
 
 }  // namespace
 
-BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limits, const std::string& path,
+BodyBricks sample_body(const ImplicitBody& body, double cell, const SizeLimits& limits, const std::string& path,
                        Progress& progress) {
   BodyBricks bricks;
   bricks.grid.cell = cell;

@@ -37,7 +37,7 @@ struct BodyBricks {
 /// Returns the values of `body` on a grid around it, with cells of `cell` metres. Begins a stage of `progress`. Throws
 /// InputError at `path` if bricks would need more than `limits.mesh_bytes` or if there are too many cells to count, and
 /// Cancelled. Deterministic on any number of threads.
-BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limits, const std::string& path,
+BodyBricks sample_body(const ImplicitBody& body, double cell, const SizeLimits& limits, const std::string& path,
                        Progress& progress);
 
 }  // namespace meristem

@@ -126,7 +126,7 @@ class BrickMesher {
     from_ends_ = std::clamp(rounding, kFromEnds, kMaxFromEnds);
   }
 
-  BrickMesh run(const Limits& limits, const std::string& path) {
+  BrickMesh run(const SizeLimits& limits, const std::string& path) {
     each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_signs(chunk, brick); });
     each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_edges(chunk, brick); });
     const std::uint64_t vertices = number_vertices();
@@ -363,7 +363,7 @@ class BrickMesher {
 
 }  // namespace
 
-BrickMesh mesh_bricks(const BrickGrid& grid, const Limits& limits, const std::string& path, Progress& progress) {
+BrickMesh mesh_bricks(const BrickGrid& grid, const SizeLimits& limits, const std::string& path, Progress& progress) {
   return BrickMesher(grid, progress).run(limits, path);
 }
 

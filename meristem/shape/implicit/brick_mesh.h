@@ -30,6 +30,6 @@ struct BrickMesh {
 /// coordinates are large relative to the cells, vertices keep far enough from the ends that rounding does not join
 /// them. This holds for cells wider than some millionths of the coordinates. Throws InputError at `path` before the
 /// limit of triangles is exceeded, and Cancelled. Deterministic on any number of threads. The cost is linear in bricks.
-BrickMesh mesh_bricks(const BrickGrid& grid, const Limits& limits, const std::string& path, Progress& progress);
+BrickMesh mesh_bricks(const BrickGrid& grid, const SizeLimits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -35,7 +35,7 @@ double swelling(BodyClause::Kind kind, double a, double b, double width) {
 
 }  // namespace
 
-ImplicitBody::ImplicitBody(Solid solid, DVec3 low, DVec3 high) : low_(low), high_(high) {
+ImplicitBody::ImplicitBody(ImplicitSolid solid, DVec3 low, DVec3 high) : low_(low), high_(high) {
   clauses_.emplace_back();
   solids_.push_back(std::move(solid));
 }

@@ -4,7 +4,7 @@
 //
 //   ImplicitBody tree = ImplicitBody::round_cone({0, 0, 0}, 0.2, {0, 3, 0}, 0.1);
 //   tree.blend(ImplicitBody::sphere({0, 3.5, 0}, 1), BlendKind::poly, 0.3);
-//   Mesh mesh = extract_isosurface(tree, {.resolution = 60}, Limits{}, "tree", progress);  // isosurface.h
+//   Mesh mesh = extract_isosurface(tree, {.resolution = 60}, SizeLimits{}, "tree", progress);  // isosurface.h
 //
 // Smooth minima of more than two bodies depend on the order: a.blend(b).blend(c) is not a.blend(c).blend(b).
 //
@@ -26,8 +26,8 @@
 namespace meristem {
 
 /// Any simple solid, in double precision.
-using Solid = std::variant<distance::RoundCone<double>, distance::FlatCone<double>, distance::Box<double>,
-                           distance::Ellipsoid<double>>;
+using ImplicitSolid = std::variant<distance::RoundCone<double>, distance::FlatCone<double>, distance::Box<double>,
+                                   distance::Ellipsoid<double>>;
 
 /// One step of a body's function, in postfix order: a solid pushes a value, and an operation replaces the last two.
 struct BodyClause {
@@ -78,15 +78,15 @@ class ImplicitBody {
   /// Returns how far blends may extend the body beyond this box.
   double reach() const { return reach_; }
 
-  std::span<const BodyClause> clauses() const { return clauses_; }  ///< solids and operations, in postfix order
-  std::span<const Solid> solids() const { return solids_; }         ///< solids by number
+  std::span<const BodyClause> clauses() const { return clauses_; }   ///< solids and operations, in postfix order
+  std::span<const ImplicitSolid> solids() const { return solids_; }  ///< solids by number
 
  private:
-  ImplicitBody(Solid solid, DVec3 low, DVec3 high);
+  ImplicitBody(ImplicitSolid solid, DVec3 low, DVec3 high);
   ImplicitBody& append(const ImplicitBody& other, BodyClause::Kind kind, double width);
 
   std::vector<BodyClause> clauses_;
-  std::vector<Solid> solids_;
+  std::vector<ImplicitSolid> solids_;
   DVec3 low_{std::numeric_limits<double>::infinity()};
   DVec3 high_{-std::numeric_limits<double>::infinity()};
   double reach_ = 0;

@@ -126,7 +126,7 @@ double cell_size(const ImplicitBody& body, int resolution) {
   return (longest + 2 * std::max(0.0, body.reach() - longest)) / resolution;
 }
 
-Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const Limits& limits,
+Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const SizeLimits& limits,
                         const std::string& path, Progress& progress) {
   require(options.resolution >= kMinResolution && options.resolution <= kMaxResolution,
           "a resolution must be 10 to 1024 cells");
@@ -139,7 +139,7 @@ Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& optio
   return std::move(made.mesh);
 }
 
-Mesh extract_isosurface(const SampledField& field, float isovalue, const Limits& limits, const std::string& path,
+Mesh extract_isosurface(const SampledField& field, float isovalue, const SizeLimits& limits, const std::string& path,
                         Progress& progress) {
   require(glm::all(glm::greaterThanEqual(field.size, glm::ivec3(0))), "a field's size must not be negative");
   // Products of more than 2^64 would overflow.

@@ -35,7 +35,7 @@ double cell_size(const ImplicitBody& body, int resolution);
 /// body. Begins stages of `progress` and stops within 50 ms. Throws InputError at `path` before the limits of triangles
 /// and bytes are exceeded, Cancelled, and std::invalid_argument for a resolution out of range. Deterministic on any
 /// number of threads.
-Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const Limits& limits,
+Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const SizeLimits& limits,
                         const std::string& path, Progress& progress);
 
 /// Values on a grid: `size` values along x, y and z, x fastest. The first is at `origin`, and neighbours are `spacing`
@@ -50,7 +50,7 @@ struct SampledField {
 /// Returns the surface between values below `isovalue` and all others. Positions beyond the grid and NaN count as
 /// outside, so the mesh is closed. The mesh has no normals. Throws like the function above, and std::invalid_argument
 /// if the size does not fit the values.
-Mesh extract_isosurface(const SampledField& field, float isovalue, const Limits& limits, const std::string& path,
+Mesh extract_isosurface(const SampledField& field, float isovalue, const SizeLimits& limits, const std::string& path,
                         Progress& progress);
 
 }  // namespace meristem

@@ -19,12 +19,12 @@
 
 namespace meristem::isosurface_test {
 
-Mesh surface_of(const ImplicitBody& body, const IsosurfaceOptions& options = {}, const Limits& limits = {}) {
+Mesh surface_of(const ImplicitBody& body, const IsosurfaceOptions& options = {}, const SizeLimits& limits = {}) {
   Progress progress;
   return extract_isosurface(body, options, limits, "components.tree.surface.resolution", progress);
 }
 
-Mesh surface_of(const SampledField& field, float isovalue = 0, const Limits& limits = {}) {
+Mesh surface_of(const SampledField& field, float isovalue = 0, const SizeLimits& limits = {}) {
   Progress progress;
   return extract_isosurface(field, isovalue, limits, "field", progress);
 }
@@ -372,7 +372,7 @@ TEST(Isosurface, TakesResolutionsOf10To1024) {
   EXPECT_TRUE(check_mesh(surface_of(rod, {.resolution = 1024})));
 }
 
-std::string error_of(const ImplicitBody& body, const Limits& limits) {
+std::string error_of(const ImplicitBody& body, const SizeLimits& limits) {
   try {
     surface_of(body, {.resolution = 100}, limits);
   } catch (const InputError& error) {

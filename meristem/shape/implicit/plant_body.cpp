@@ -38,7 +38,7 @@ std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeI
 }
 
 /// Widens a root's base. Adds points between its first nodes if these are far apart.
-void flare(std::vector<AxisPoint>& points, const Surface& surface) {
+void flare(std::vector<AxisPoint>& points, const SurfaceOptions& surface) {
   if (!(surface.flare > 0) || points.size() < 2 || !(points[0].radius > 0)) return;
   const auto base = static_cast<float>(points[0].radius);
   std::vector<AxisPoint> flared;
@@ -102,9 +102,9 @@ bool is_root_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
 
 }  // namespace
 
-ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
+ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const SurfaceOptions& surface,
                             double min_radius, Vec3 origin) {
-  const Axes nodes(skeleton);
+  const SkeletonAxes nodes(skeleton);
   // Thick axes first: later blends then reach less far.
   std::vector<AxisIndex> sorted(axes.begin(), axes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [&](AxisIndex a, AxisIndex b) {
@@ -121,9 +121,10 @@ ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex>
   return body;
 }
 
-Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface) {
-  Thickening thickening;
-  const Axes nodes(skeleton);
+BodyThickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> axes,
+                               const SurfaceOptions& surface) {
+  BodyThickening thickening;
+  const SkeletonAxes nodes(skeleton);
   Box box;
   for (const AxisIndex axis : axes) {
     std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), Vec3(0));
@@ -155,7 +156,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
 }
 
 std::vector<NodeIndex> branch_ends(const Skeleton& skeleton, std::span<const AxisIndex> axes) {
-  const Axes nodes(skeleton);
+  const SkeletonAxes nodes(skeleton);
   const auto column = skeleton.extra.find(kEndColumn);
   std::vector<NodeIndex> ends;
   std::vector<NodeIndex> tips;

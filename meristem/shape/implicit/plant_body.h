@@ -16,7 +16,7 @@
 namespace meristem {
 
 /// The thickening of a blended body's axes that its cells require.
-struct Thickening {
+struct BodyThickening {
   double min_radius = 0;  ///< minimum radius that its cells can represent, metres
   double length = 0;      ///< length of all its axes, metres
   double thickened = 0;   ///< length of the axes that were thinner, metres
@@ -28,12 +28,13 @@ struct Thickening {
 /// begin with a flat base that flares according to `surface`. Each axis blends with all thicker ones over
 /// `surface.blend` times its first radius. Radii are raised to at least `min_radius` metres, and none may be NaN. The
 /// body is relative to `origin`. The cost is linear in nodes.
-ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
+ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const SurfaceOptions& surface,
                             double min_radius, Vec3 origin = Vec3(0));
 
 /// Returns the thickening of these axes for `surface.resolution` cells along their longest side. Without
 /// `surface.thicken`, nothing is thickened.
-Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface);
+BodyThickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> axes,
+                               const SurfaceOptions& surface);
 
 /// Returns the nodes around which crowns have balls: nodes with a positive value in the column "end", or the tips if
 /// there is no such column.

@@ -16,7 +16,7 @@
 namespace meristem::plant_body_test {
 
 std::vector<AxisIndex> all_axes(const Skeleton& skeleton) {
-  std::vector<AxisIndex> axes(Axes(skeleton).count());
+  std::vector<AxisIndex> axes(SkeletonAxes(skeleton).count());
   std::iota(axes.begin(), axes.end(), 0);
   return axes;
 }
@@ -32,7 +32,7 @@ Box box_of(const Mesh& mesh) {
   return box;
 }
 
-ImplicitBody stem_body(const Skeleton& skeleton, const Surface& surface = {}, double min_radius = 0) {
+ImplicitBody stem_body(const Skeleton& skeleton, const SurfaceOptions& surface = {}, double min_radius = 0) {
   return make_stem_body(skeleton, all_axes(skeleton), surface, min_radius);
 }
 
@@ -75,8 +75,8 @@ TEST(PlantBody, IsosurfaceHoldsThinTubes) {
 
 TEST(PlantBody, ThickeningIsThatOfCylinders) {
   const Skeleton rod = chain({{0, 0, 0}, {0, 4, 0}, {0, 10, 0}}, 0.01F);
-  Surface surface{.flare = 0, .resolution = 50};
-  const Thickening found = find_thickening(rod, all_axes(rod), surface);
+  SurfaceOptions surface{.flare = 0, .resolution = 50};
+  const BodyThickening found = find_thickening(rod, all_axes(rod), surface);
   // The assumed cells equal the cells of the resulting body.
   const double cell = cell_size(stem_body(rod, {.flare = 0}, found.min_radius), 50);
   EXPECT_NEAR(found.min_radius / cell, 0.867, 0.02);  // its base is flat, unlike the round other end
@@ -86,7 +86,7 @@ TEST(PlantBody, ThickeningIsThatOfCylinders) {
   EXPECT_NEAR(found.volume, kPi * 10 * 1e-4, 1e-8);
   EXPECT_NEAR(found.added, kPi * 10 * (found.min_radius * found.min_radius - 1e-4), 1e-6);
   surface.thicken = false;
-  const Thickening none = find_thickening(rod, all_axes(rod), surface);
+  const BodyThickening none = find_thickening(rod, all_axes(rod), surface);
   EXPECT_EQ(none.min_radius, 0);
   EXPECT_EQ(none.thickened, 0);
   EXPECT_EQ(none.added, 0);
@@ -95,8 +95,8 @@ TEST(PlantBody, ThickeningIsThatOfCylinders) {
 TEST(PlantBody, OnlyThinSegmentsAreThickened) {
   Skeleton stick = chain({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, 0.3F);
   stick.radius[2] = 0.001F;
-  const Surface surface{.flare = 0, .resolution = 20};
-  const Thickening found = find_thickening(stick, all_axes(stick), surface);
+  const SurfaceOptions surface{.flare = 0, .resolution = 20};
+  const BodyThickening found = find_thickening(stick, all_axes(stick), surface);
   EXPECT_NEAR(found.thickened, 1, 1e-6);
   const auto cone = [](double a, double b) { return kPi / 3 * (a * a + a * b + b * b); };
   EXPECT_NEAR(found.volume, cone(0.3, 0.3) + cone(0.3, 0.001), 1e-6);
@@ -106,8 +106,8 @@ TEST(PlantBody, OnlyThinSegmentsAreThickened) {
 TEST(PlantBody, WideBasesCountForTheCells) {
   // A body wider than high, whose base is twice as wide.
   const Skeleton stump = chain({{0, 0, 0}, {0, 0.4F, 0}}, 0.5F);
-  const Surface surface{.flare = 1, .resolution = 20};
-  const Thickening found = find_thickening(stump, all_axes(stump), surface);
+  const SurfaceOptions surface{.flare = 1, .resolution = 20};
+  const BodyThickening found = find_thickening(stump, all_axes(stump), surface);
   EXPECT_GE(found.min_radius / cell_size(stem_body(stump, surface, found.min_radius), 20), std::sqrt(0.75));
 }
 
@@ -116,7 +116,7 @@ TEST(PlantBody, OfAForkIsOneClosedPiece) {
   ASSERT_TRUE(check_skeleton(skeleton));
   for (const float blend : {0.0F, 0.5F, 4.0F}) {
     for (const int resolution : {10, 40, 100}) {
-      Surface surface{.resolution = resolution, .blend = blend};
+      SurfaceOptions surface{.resolution = resolution, .blend = blend};
       const double min = find_thickening(skeleton, all_axes(skeleton), surface).min_radius;
       const Mesh mesh = surface_of(stem_body(skeleton, surface, min), resolution);
       EXPECT_TRUE(check_mesh(mesh)) << blend << " at " << resolution;

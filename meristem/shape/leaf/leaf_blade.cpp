@@ -28,8 +28,9 @@ constexpr double kRowTolerance = 1e-3;     // share of the length: corners neare
 constexpr double kColumnTolerance = 0.02;  // share of half the width: corners nearer to a column lie on it
 constexpr double kMinLength = 0.1;         // minimum share of the length along the surface where it is bent back on
                                            // itself
-constexpr double kVeinWidth = 0.05;        // share of half the width: minimum width of the blade at the petiole's
-                                           // picture
+constexpr std::size_t kPetioleTriangles = 9;
+constexpr double kVeinWidth = 0.05;  // share of half the width: minimum width of the blade at the petiole's
+                                     // picture
 
 bool is_right_edge(const std::vector<Vec2>& polygon) {
   const auto is_beside = [](Vec2 p) { return std::isfinite(p.x + p.y) && p.x >= 0; };
@@ -130,6 +131,10 @@ class BladeMesher {
       add_triangle(mirrored(triangle[0]), mirrored(triangle[2]), mirrored(triangle[1]));
     }
     return std::move(mesh_);
+  }
+
+  std::size_t triangle_count() const {
+    return 2 * flat_triangles().size() + (blade_.petiole > 0 ? kPetioleTriangles : 0);
   }
 
  private:
@@ -245,6 +250,11 @@ class BladeMesher {
 Mesh make_leaf_blade(const LeafBlade& blade) {
   check(blade);
   return BladeMesher(blade).run();
+}
+
+std::size_t leaf_blade_triangles(const LeafBlade& blade) {
+  check(blade);
+  return BladeMesher(blade).triangle_count();
 }
 
 TextureShape leaf_texture_shape(const LeafBlade& blade) {

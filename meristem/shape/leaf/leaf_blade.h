@@ -2,6 +2,7 @@
 // A leaf blade: a flat outline from base to tip, bent along and across.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "meristem/base/curve.h"
@@ -59,6 +60,10 @@ struct LeafBlade {
 /// that are not positive, a negative petiole, numbers that are not finite, fewer than 1 row, or `across` odd or below
 /// 2.
 Mesh make_leaf_blade(const LeafBlade& blade);
+
+/// Returns the number of triangles of make_leaf_blade without making the mesh: the flat outline is cut, but no point is
+/// put on the bent surface. Throws like make_leaf_blade.
+std::size_t leaf_blade_triangles(const LeafBlade& blade);
 
 /// Returns the shape that the uvs show: the closed outline with lobes, heart and teeth.
 TextureShape leaf_texture_shape(const LeafBlade& blade);

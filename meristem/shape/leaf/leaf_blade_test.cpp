@@ -331,11 +331,28 @@ RC_GTEST_PROP(LeafBlade, IsSoundForAnyShape, ()) {
   RC_ASSERT(check_mesh(make_leaf_blade(blade), kOpen));
 }
 
+RC_GTEST_PROP(LeafBlade, TrianglesAreCountedWithoutAMesh, ()) {
+  const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
+  LeafBlade blade = *rc::gen::element(LeafBlade(), palmate());
+  if (blade.polygon.empty() && *rc::gen::arbitrary<bool>()) blade.outline = oak_outline();
+  blade.corners = *rc::gen::element(LeafBlade::Corners::sharp, LeafBlade::Corners::round);
+  blade.edge = *rc::gen::element(LeafBlade::Edge::shape, LeafBlade::Edge::picture);
+  blade.heart = 0.3 * share();
+  blade.teeth = *rc::gen::inRange(0, 12);
+  blade.waves = *rc::gen::inRange(0, 4);
+  blade.curl = share();
+  blade.rows = *rc::gen::inRange(1, 30);
+  blade.across = 2 * *rc::gen::inRange(1, 5);
+  blade.petiole = *rc::gen::element(0.0, 0.04);
+  RC_ASSERT(leaf_blade_triangles(blade) == make_leaf_blade(blade).triangle_count());
+}
+
 TEST(LeafBlade, RejectsWhatMakesNoBlade) {
   const auto rejects = [](const std::function<void(LeafBlade&)>& change) {
     LeafBlade blade;
     change(blade);
     EXPECT_THROW(make_leaf_blade(blade), std::invalid_argument);
+    EXPECT_THROW(leaf_blade_triangles(blade), std::invalid_argument);
   };
   rejects([](LeafBlade& blade) { blade.length = 0; });
   rejects([](LeafBlade& blade) { blade.width = -1; });

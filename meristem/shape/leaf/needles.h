@@ -30,8 +30,8 @@ struct NeedleShoot {
 
 /// Returns `count * fascicle` needles (normals smooth; u across, v from base to tip). Adds the twig if it has a radius
 /// and a length. Needles widen toward their middle and end in a point. Throws std::invalid_argument for lengths or
-/// widths that are not positive, a negative `along`, and numbers that are not finite. Also throws for fewer than 1
-/// bundle or needle per bundle, and for `sides` other than 2 and 3.
+/// widths that are not positive, a negative `along` or `axis_radius`, and numbers that are not finite. Also throws for
+/// `flatten` or `irregular` outside 0 to 1, fewer than 1 bundle or needle per bundle, and `sides` other than 2 and 3.
 Mesh make_needles(const NeedleShoot& shoot);
 
 }  // namespace meristem

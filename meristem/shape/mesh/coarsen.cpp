@@ -45,7 +45,7 @@ constexpr float kNextGrid = 1.35F;            // factor on the cells of the grid
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns twice the area, along the normal.
-DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
+DVec3 triangle_area_vector(const Mesh& mesh, const Triangle& triangle) {
   const DVec3 a(mesh.positions[triangle[0]]);
   return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
 }
@@ -106,7 +106,7 @@ class HalfEdgeCollapse {
 
   void add_planes() {
     for (const Triangle& triangle : corners_) {
-      const DVec3 doubled = area_vector(mesh_, triangle);
+      const DVec3 doubled = triangle_area_vector(mesh_, triangle);
       const double length = glm::length(doubled);
       if (!(length > 0)) continue;
       const DVec3 normal = (1 / length) * doubled;
@@ -204,9 +204,9 @@ class HalfEdgeCollapse {
       Triangle triangle = mesh_.triangles[t];
       const auto takes = beside.find(vertex_at(triangle, from));
       if (takes == beside.end()) return false;
-      const DVec3 before = area_vector(mesh_, triangle);
+      const DVec3 before = triangle_area_vector(mesh_, triangle);
       std::replace(triangle.begin(), triangle.end(), takes->first, takes->second);
-      const DVec3 after = area_vector(mesh_, triangle);
+      const DVec3 after = triangle_area_vector(mesh_, triangle);
       if (!(glm::dot(before, after) > kMinCosine * glm::length(before) * glm::length(after))) return false;
       if (!faces_its_normals(triangle, after)) return false;
     }
@@ -301,7 +301,7 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
   std::map<std::uint32_t, Piece> pieces;
   for (const Triangle& triangle : mesh.triangles) {
     Piece& piece = pieces[find(triangle[0])];
-    const DVec3 area = 0.5 * area_vector(mesh, triangle);
+    const DVec3 area = 0.5 * triangle_area_vector(mesh, triangle);
     piece.triangles.push_back(triangle);
     piece.area += glm::length(area);
     piece.one_sided += area;
@@ -375,7 +375,7 @@ void widen(Mesh& mesh, const Piece& piece, double factor) {
 bool is_flat(const Mesh& mesh) {
   if (mesh.normals.empty()) return false;
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
-    const DVec3 area = area_vector(mesh, triangle);
+    const DVec3 area = triangle_area_vector(mesh, triangle);
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
       return glm::dot(area, DVec3(mesh.normals[vertex])) > kFlatNormal * glm::length(area);
     });

@@ -12,9 +12,9 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/body_meshes.h"
-#include "meristem/shape/cached_meshes.h"
-#include "meristem/shape/scene_tally.h"
+#include "meristem/shape/stem/body_meshes.h"
+#include "meristem/shape/stem/cached_meshes.h"
+#include "meristem/shape/stem/scene_tally.h"
 
 namespace meristem {
 
@@ -50,7 +50,7 @@ Noted after(const std::vector<Noted>& keys, std::size_t now) {
 
 /// Throws InputError if the plant's scene would exceed a limit of meshes.
 void check_scene(const Plant& plant, const std::vector<MeshInstances>& bodies, const std::deque<StemPlan>& stems,
-                 const Limits& limits) {
+                 const SizeLimits& limits) {
   SceneTally tally;
   for (const MeshInstances& body : bodies) tally.add_mesh(body.component, *body.mesh);
   for (const StemPlan& stem : stems) tally.add_tubes(stem.looks, stem.tubes.sizes());

@@ -19,8 +19,8 @@
 #include "meristem/shape/moving/moving_scene.h"
 #include "meristem/shape/moving/moving_tube.h"
 #include "meristem/shape/moving/nearest_keys.h"
-#include "meristem/shape/stem_looks.h"
-#include "meristem/shape/stem_tubes.h"
+#include "meristem/shape/stem/stem_looks.h"
+#include "meristem/shape/stem/stem_tubes.h"
 
 namespace meristem {
 
@@ -79,7 +79,7 @@ struct StemPlan {
 /// The parts of plants that are added one after another.
 class MovingParts {
  public:
-  MovingParts(const Limits& limits, const MovingLimits& moving, std::size_t keys)
+  MovingParts(const SizeLimits& limits, const MovingLimits& moving, std::size_t keys)
       : key_count(keys), times(keys), limits_(limits), moving_(moving), is_added_(keys) {}
 
   /// Like MovingSceneMaker::add.
@@ -108,7 +108,7 @@ class MovingParts {
   void add_shape(std::uint64_t name, const MovingLook& look, Vec3 tint, TubeShape shape);
   void count_motion(AxisTrack& track, bool moves, std::uint64_t vertices);
 
-  const Limits limits_;
+  const SizeLimits limits_;
   const MovingLimits moving_;
   std::vector<bool> is_added_;  // for each key
   std::size_t now_ = 0;         // the key that is being added

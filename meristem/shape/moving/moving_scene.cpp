@@ -13,14 +13,14 @@
 namespace meristem {
 
 struct MovingSceneMaker::State {
-  State(const Limits& limits, const MovingLimits& of_motion, std::size_t keys)
+  State(const SizeLimits& limits, const MovingLimits& of_motion, std::size_t keys)
       : moving(of_motion), parts(limits, of_motion, keys) {}
 
   const MovingLimits moving;
   MovingParts parts;
 };
 
-MovingSceneMaker::MovingSceneMaker(const Limits& limits, const MovingLimits& moving, std::size_t keys)
+MovingSceneMaker::MovingSceneMaker(const SizeLimits& limits, const MovingLimits& moving, std::size_t keys)
     : state_(std::make_unique<State>(limits, moving, keys)) {}
 
 MovingSceneMaker::~MovingSceneMaker() = default;

@@ -19,7 +19,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 
 namespace meristem {
 
@@ -66,7 +66,7 @@ struct MovingLimits {
 class MovingSceneMaker {
  public:
   /// `limits` are the limits of meshes. `keys` is the number of keys, at least two.
-  MovingSceneMaker(const Limits& limits, const MovingLimits& moving, std::size_t keys);
+  MovingSceneMaker(const SizeLimits& limits, const MovingLimits& moving, std::size_t keys);
   ~MovingSceneMaker();
 
   /// Adds the plant at one of the keys. Each key must be added once, in any order. The plant must have pictures in its

@@ -20,7 +20,7 @@ Plant one_organ(const Mesh& mesh, const Frame& frame, std::uint64_t name = 7) {
 }
 
 MovingScene scene_of(const std::vector<Plant>& plants, const MovingLimits& limits = {}) {
-  MovingSceneMaker maker(Limits(), limits, plants.size());
+  MovingSceneMaker maker(SizeLimits(), limits, plants.size());
   Progress progress;
   for (std::size_t k = 0; k < plants.size(); ++k) maker.add(k, static_cast<double>(k), plants[k], progress);
   return maker.take(progress);
@@ -155,7 +155,7 @@ Plant one_axis(float height, std::uint64_t name = 1) {
 }
 
 TEST(MovingScene, StemsThatMoveTooMuchAreToldAfterTwoKeys) {
-  MovingSceneMaker maker(Limits(), {.bytes = 3000}, 16);
+  MovingSceneMaker maker(SizeLimits(), {.bytes = 3000}, 16);
   Progress progress;
   maker.add(0, 0, one_axis(1), progress);
   EXPECT_THROW(maker.add(15, 15, one_axis(2), progress), InputError);
@@ -170,7 +170,7 @@ TEST(MovingScene, StemsThatMoveAreCountedTogether) {
     add_axis(static_cast<float>(name), Vec3(1), name, high);
     high.stems.back().skeleton.position[1].y = 2;
   }
-  MovingSceneMaker maker(Limits(), {.bytes = 10'000}, 2);
+  MovingSceneMaker maker(SizeLimits(), {.bytes = 10'000}, 2);
   Progress progress;
   maker.add(0, 0, low, progress);
   EXPECT_THROW(maker.add(1, 1, high, progress), InputError);
@@ -186,7 +186,7 @@ TEST(MovingScene, StemsThatStandStillTakeNothing) {
 TEST(MovingScene, KeysMayComeInAnyOrder) {
   Plant early = one_axis(1), late = one_axis(2);
   early.materials[0].colour = {0.2F, 0.8F, 0.2F};
-  MovingSceneMaker maker(Limits(), {}, 3);
+  MovingSceneMaker maker(SizeLimits(), {}, 3);
   Progress progress;
   maker.add(0, 0, early, progress);
   maker.add(2, 4, late, progress);
@@ -201,7 +201,7 @@ TEST(MovingScene, KeysMayComeInAnyOrder) {
 TEST(MovingScene, PartsAreCountedWithTheirKeys) {
   Plant plant = one_organ(make_cylinder(1, 1, 6), at(0));
   for (std::uint64_t name = 8; name < 12; ++name) plant.organs.push_back({.frame = at(1), .name = name});
-  MovingSceneMaker maker(Limits(), {.part_keys = 99}, 20);
+  MovingSceneMaker maker(SizeLimits(), {.part_keys = 99}, 20);
   Progress progress;
   try {
     maker.add(0, 0, plant, progress);
@@ -212,7 +212,7 @@ TEST(MovingScene, PartsAreCountedWithTheirKeys) {
 }
 
 TEST(MovingScene, TrianglesOfAllStemsAreCountedTogether) {
-  Limits limits;
+  SizeLimits limits;
   limits.triangles = 100;
   Plant plant = one_axis(1);
   Progress progress;
@@ -222,7 +222,7 @@ TEST(MovingScene, TrianglesOfAllStemsAreCountedTogether) {
 }
 
 TEST(MovingScene, TakingCanBeCancelled) {
-  MovingSceneMaker maker(Limits(), {}, 2);
+  MovingSceneMaker maker(SizeLimits(), {}, 2);
   Progress progress;
   Plant plant = one_organ(make_cylinder(1, 1, 6), at(0));
   maker.add(0, 0, plant, progress);

@@ -133,7 +133,7 @@ std::optional<TubeShape> tube_shape(const TubePlan& plan, AxisIndex axis, const 
   tube.sides = own.sides;
   tube.rings = own.rings;
   tube.start_vertices = static_cast<std::uint32_t>(own.start_vertices(is_lateral));
-  tube.end_vertices = own.cap == Surface::Cap::flat ? own.sides + 1 : own.sides;
+  tube.end_vertices = own.cap == SurfaceOptions::Cap::flat ? own.sides + 1 : own.sides;
   const Mesh& mesh = meshes[own.mesh];
   const auto first = static_cast<std::ptrdiff_t>(own.first_vertex);
   const auto end = first + static_cast<std::ptrdiff_t>(own.vertices(is_lateral));

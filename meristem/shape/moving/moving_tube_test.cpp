@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/shape/stem_tubes.h"
+#include "meristem/shape/stem/stem_tubes.h"
 
 namespace meristem::moving_tube_test {
 

@@ -48,6 +48,13 @@ class RevolutionMesher {
     return std::move(mesh_);
   }
 
+  std::size_t triangle_count() const {
+    const std::size_t bands = chain_.size() - 1;
+    // The first and the last band end on the axis and have one triangle for each column.
+    const std::size_t round = static_cast<std::size_t>(columns_) * (2 * bands - 2);
+    return round + (is_whole_ ? 0 : 2 * cut_polygon(in_unit_square(corners_of(chain_)), {}).size());
+  }
+
  private:
   /// Returns the direction away from the axis after a number of half columns. Whole turns give the same bytes as none.
   DVec3 outward(int halves) const {
@@ -86,16 +93,21 @@ class RevolutionMesher {
     }
   }
 
-  void add_sides() {
-    const std::vector<Point> corners = corners_of(chain_);
+  /// Returns the corners of a flat side in the unit square, where flat and slim bodies are cut as well as others.
+  static std::vector<Point> in_unit_square(const std::vector<Point>& corners) {
     Point low = corners[0], high = corners[0];
     for (const Point corner : corners) {
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
-    // Cut in the unit square, so that flat and slim bodies are cut as well as others.
     std::vector<Point> pictured;
     for (const Point corner : corners) pictured.push_back((corner - low) / (high - low));
+    return pictured;
+  }
+
+  void add_sides() {
+    const std::vector<Point> corners = corners_of(chain_);
+    const std::vector<Point> pictured = in_unit_square(corners);
     const std::vector<FlatTriangle> triangles = cut_polygon(pictured, {});
     for (const bool is_first : {true, false}) {
       const DVec3 out = outward(is_first ? 0 : 2 * columns_);
@@ -123,14 +135,27 @@ class RevolutionMesher {
 
 }  // namespace
 
-Mesh make_revolution(const SolidOfRevolution& solid) {
+namespace {
+
+void check(const SolidOfRevolution& solid) {
   if (solid.segments < 3) throw std::invalid_argument("a body of revolution needs at least 3 segments");
   if (solid.rings < 1) throw std::invalid_argument("a body of revolution needs at least 1 ring");
   if (!(solid.sweep > 0) || !std::isfinite(solid.sweep)) {
     throw std::invalid_argument("a body of revolution needs a sweep above 0");
   }
   if (const auto error = find_error(solid)) throw std::invalid_argument(error->message);
+}
+
+}  // namespace
+
+Mesh make_revolution(const SolidOfRevolution& solid) {
+  check(solid);
   return RevolutionMesher(solid).run();
+}
+
+std::size_t revolution_triangles(const SolidOfRevolution& solid) {
+  check(solid);
+  return RevolutionMesher(solid).triangle_count();
 }
 
 }  // namespace meristem

@@ -35,8 +35,9 @@ struct SilhouetteError {
 
 /// Returns why the silhouette does not bound a body: fewer than 2 points or more than 500, radii that are negative,
 /// numbers that are not finite, repeated points, or points on the axis other than at the ends. Other reasons are a path
-/// that crosses or touches itself, or one that runs down around the body. Returns nothing for a valid silhouette. O(n²)
-/// in points and rings.
+/// that crosses or touches itself, one that runs down around the body, and a spline that swings across the axis. Points
+/// nearer than 1/100000 of the path's length count as equal. Returns nothing for a valid silhouette. O(n²) in points
+/// and rings.
 std::optional<SilhouetteError> find_error(const SolidOfRevolution& solid);
 
 /// Returns the closed body with front faces outward. Where the silhouette begins or ends on the axis, it has a single
@@ -46,5 +47,8 @@ std::optional<SilhouetteError> find_error(const SolidOfRevolution& solid);
 /// flat sides, both are as in a picture of half the body. Throws std::invalid_argument for a silhouette with an error,
 /// fewer than 3 segments, fewer than 1 ring, or a sweep that is not above 0.
 Mesh make_revolution(const SolidOfRevolution& solid);
+
+/// Returns the number of triangles of make_revolution without making the mesh. Throws like make_revolution.
+std::size_t revolution_triangles(const SolidOfRevolution& solid);
 
 }  // namespace meristem

@@ -162,6 +162,20 @@ TEST(Revolution, RandomSilhouettesGiveClosedBodies) {
   EXPECT_GT(splines, 100);
 }
 
+TEST(Revolution, TrianglesAreCountedWithoutAMesh) {
+  for (const Silhouette& silhouette : {kCone, kCup, Silhouette{{1, 0}, {1, 2}}, half_circle(9)}) {
+    for (const CurveKind kind : {CurveKind::linear, CurveKind::spline}) {
+      for (const double sweep : {2 * kPi, 0.3 * kPi}) {
+        SolidOfRevolution solid = lines(silhouette, 7);
+        solid.kind = kind;
+        solid.sweep = sweep;
+        if (find_error(solid)) continue;
+        EXPECT_EQ(revolution_triangles(solid), make_revolution(solid).triangle_count());
+      }
+    }
+  }
+}
+
 TEST(Revolution, UvsGoAroundAndAlongFromBaseToTip) {
   const Mesh cylinder = make_revolution(lines({{1, 0}, {1, 2}}, 4));
   for (std::size_t i = 0; i < cylinder.vertex_count(); ++i) {

@@ -65,8 +65,9 @@ struct TextureShape {
   bool operator==(const TextureShape&) const = default;
 };
 
-/// Returns a texture with `pixels` per side. Bytes are equal on every machine and on any number of threads. `colour`
-/// (sRGB) is the mean of the result. Opposite edges of bark join. Throws Cancelled.
+/// Returns a texture with `pixels` per side, at least 1. Bytes are equal on every machine and on any number of threads.
+/// `colour` (sRGB) is the mean of the visible pixels. The mean is darker if too many pixels would be brighter than
+/// white. There are no normals if the relief is 0. Opposite edges of bark join. Throws Cancelled.
 Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels, const Progress& progress = Progress());
 /// Like make_bark_texture(), for a leaf. Pixels outside a masked shape have the colours of the margin.
 Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,

@@ -31,16 +31,16 @@ Skeleton fork(double angle_deg, float branch_radius, float segment = 0.4F) {
   return skeleton;
 }
 
-Surface collared(int sides) { return {.sides = sides, .smooth = 0, .collar = 0.8F, .flare = 0}; }
+SurfaceOptions collared(int sides) { return {.sides = sides, .smooth = 0, .collar = 0.8F, .flare = 0}; }
 
-Mesh tubes(const Skeleton& skeleton, const Surface& surface) {
+Mesh tubes(const Skeleton& skeleton, const SurfaceOptions& surface) {
   Progress progress;
   return make_tubes(skeleton, surface, progress);
 }
 
 TEST(Bark, IsTheSurfaceOfItsCones) {
   const Skeleton skeleton = fork(90, 0.1F);
-  const Surface surface = collared(12);
+  const SurfaceOptions surface = collared(12);
   const TubePlan plan(skeleton, {{surface}});
   const Bark bark = plan.bark_below(plan.path(1));
   EXPECT_NEAR(bark.distance({0.5F, 0.1F, 0}), 0.3F, 1e-6F);
@@ -55,7 +55,7 @@ TEST(Bark, IsTheSurfaceOfItsCones) {
 TEST(Collar, BranchesComeFreeWhereTheirCrotchDoes) {
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0}) {
     const Skeleton skeleton = fork(angle, 0.08F);
-    const Surface surface = collared(16);
+    const SurfaceOptions surface = collared(16);
     const TubePlan plan(skeleton, {{surface}});
     const std::optional<Collar>& collar = plan[1].collar;
     ASSERT_TRUE(collar.has_value()) << angle;
@@ -68,7 +68,7 @@ TEST(Collar, BranchesComeFreeWhereTheirCrotchDoes) {
 }
 
 TEST(Collar, LeavesOutBranchesAlongTheBarkAndStubs) {
-  const Surface surface = collared(16);
+  const SurfaceOptions surface = collared(16);
   const Skeleton steep = fork(8, 0.1F);
   EXPECT_FALSE(TubePlan(steep, {{surface}})[1].collar.has_value());
   const Skeleton stub = fork(90, 0.1F, 0.02F);
@@ -84,7 +84,7 @@ TEST(Collar, FlowsIntoTheBarkWithItsNormalsAtEveryAngle) {
   for (const double angle : {25.0, 40.0, 60.0, 90.0, 120.0, 150.0}) {
     for (const float branch_radius : {0.04F, 0.09F, 0.15F, 0.185F}) {
       const Skeleton skeleton = fork(angle, branch_radius);
-      const Surface surface = collared(24);
+      const SurfaceOptions surface = collared(24);
       const TubePlan plan(skeleton, {{surface}});
       ASSERT_TRUE(plan[1].collar.has_value());
       const Mesh mesh = tubes(skeleton, surface);
@@ -128,7 +128,7 @@ TEST(Collar, RandomTreesStayClosed) {
     }
     // Branches as thick as their parent leave at any angle here. Edges and volume must be correct, but normals need
     // not.
-    Mesh mesh = tubes(tree, Surface{.sides = 12});
+    Mesh mesh = tubes(tree, SurfaceOptions{.sides = 12});
     mesh.normals.clear();
     EXPECT_TRUE(check_mesh(mesh, {.outward = false})) << seed;
     EXPECT_EQ(euler_number(mesh), 2 * static_cast<long>(axes)) << seed;
@@ -137,7 +137,7 @@ TEST(Collar, RandomTreesStayClosed) {
 
 TEST(Flare, WidensARootTowardTheGroundAndNothingElse) {
   const Skeleton skeleton = fork(90, 0.05F);
-  const Surface surface{.sides = 16, .smooth = 0, .collar = 0, .flare = 0.5F};
+  const SurfaceOptions surface{.sides = 16, .smooth = 0, .collar = 0, .flare = 0.5F};
   const Mesh mesh = tubes(skeleton, surface);
   ASSERT_TRUE(check_mesh(mesh));
   const Mesh plain = tubes(skeleton, {.sides = 16, .smooth = 0, .collar = 0, .flare = 0});
@@ -156,7 +156,7 @@ TEST(SmoothRadii, SpreadAStepAndKeepTheEnds) {
     const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), {0, 0.1F * i, 0}, 0);
     stem.radius[node] = i <= 20 ? 0.1F : 0.06F;
   }
-  const Surface surface{.sides = 8, .error = 0, .smooth = 3, .collar = 0, .flare = 0};
+  const SurfaceOptions surface{.sides = 8, .error = 0, .smooth = 3, .collar = 0, .flare = 0};
   const TubePlan plan(stem, {{surface}});
   const AxisPath path = plan.path(0);
   EXPECT_EQ(path.radius(0), 0.1F);

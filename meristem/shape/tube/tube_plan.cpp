@@ -32,7 +32,7 @@ std::uint32_t fan_size(float cosine) {
   return cosine >= kCosSharpestMitre ? 1 : cosine >= kCosSharpestFanOfTwo ? 2 : 3;
 }
 
-float flare_factor(const Surface& surface, float base_radius, float metres) {
+float flare_factor(const SurfaceOptions& surface, float base_radius, float metres) {
   const float left = std::max(0.0F, 1 - metres / (kFlareHeight * base_radius));
   return 1 + surface.flare * left * left * left;
 }
@@ -137,7 +137,8 @@ bool TubePlan::find_whether_it_goes_on(AxisIndex axis) const {
 /// back to a lateral. The thickest axis that continues with a similar radius succeeds it, if both have equal surfaces.
 void TubePlan::find_successors() {
   for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
-    if (goes_on_[axis] == 0 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) continue;
+    if (goes_on_[axis] == 0 || surface(axis).style != SurfaceOptions::Style::tubes || wears_[wear(axis)].left_out)
+      continue;
     const NodeIndex first = axes_.of(static_cast<AxisIndex>(axis))[0];
     const NodeIndex tip = skeleton_->parent[first];
     const AxisIndex before = skeleton_->axis[tip];
@@ -257,7 +258,7 @@ void TubePlan::choose_sides(AxisIndex axis) {
 
 void TubePlan::count_rings(AxisIndex axis) {
   const AxisPath points = path(axis);
-  if (points.size() < 2 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) return;
+  if (points.size() < 2 || surface(axis).style != SurfaceOptions::Style::tubes || wears_[wear(axis)].left_out) return;
   AxisPlan& plan = plans_[axis];
   plan_start(points, plan, axis);
   // The start, the bends between start and tip, and the tip.
@@ -269,15 +270,15 @@ void TubePlan::count_rings(AxisIndex axis) {
     before = after;
   }
   plan.cap = cap(axis);
-  if (plan.cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+  if (plan.cap == SurfaceOptions::Cap::round) plan.rings += AxisPlan::kDomeRings;
 }
 
-Surface::Cap TubePlan::cap(AxisIndex axis) const {
+SurfaceOptions::Cap TubePlan::cap(AxisIndex axis) const {
   // A cone stays hidden in the successor's tube.
-  if (plans_[axis].successor != kNoAxis) return Surface::Cap::pointed;
+  if (plans_[axis].successor != kNoAxis) return SurfaceOptions::Cap::pointed;
   const auto cut = skeleton_->extra.find(kCutColumn);
   const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
-  return is_cut ? Surface::Cap::flat : surface(axis).cap;
+  return is_cut ? SurfaceOptions::Cap::flat : surface(axis).cap;
 }
 
 void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const {

@@ -25,18 +25,18 @@ struct AxisPlan {
   float start_radius = 0;
   float sink = 0;  ///< metres: maximum depth of the parent's flat sides below its bark
   std::optional<Collar> collar;
-  AxisIndex successor = kNoAxis;             ///< the axis whose tube continues this one, beginning with its last ring
-  bool succeeds = false;                     ///< true if this tube continues another one
-  Surface::Cap cap = Surface::Cap::pointed;  ///< flat if the axis was cut off
-  std::uint32_t mesh = 0;                    ///< index of its mesh
-  std::uint64_t first_vertex = 0;            ///< index in that mesh
+  AxisIndex successor = kNoAxis;  ///< the axis whose tube continues this one, beginning with its last ring
+  bool succeeds = false;          ///< true if this tube continues another one
+  SurfaceOptions::Cap cap = SurfaceOptions::Cap::pointed;  ///< flat if the axis was cut off
+  std::uint32_t mesh = 0;                                  ///< index of its mesh
+  std::uint64_t first_vertex = 0;                          ///< index in that mesh
   std::uint64_t first_triangle = 0;
 
   // Returns the number of vertices of the start. A lateral's start is one hidden point, and a root's start is a flat
   // disc with separate vertices. A pointed tip has a point per side, and a flat one has a disc.
   std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
   std::uint64_t vertices(bool is_lateral) const {
-    const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;
+    const std::uint64_t end = cap == SurfaceOptions::Cap::flat ? sides + 1 : sides;
     return rings == 0 ? 0 : std::uint64_t{rings} * (sides + 1) + start_vertices(is_lateral) + end;
   }
   std::uint64_t triangles() const { return rings == 0 ? 0 : 2 * std::uint64_t{sides} * rings; }
@@ -46,11 +46,11 @@ struct AxisPlan {
 std::uint32_t fan_size(float cosine);
 
 /// Returns the factor on a root's radius at this distance in metres from its base.
-float flare_factor(const Surface& surface, float base_radius, float metres);
+float flare_factor(const SurfaceOptions& surface, float base_radius, float metres);
 
 /// The surface and the mesh of the tubes of some axes.
 struct TubeWear {
-  Surface surface;
+  SurfaceOptions surface;
   std::uint32_t mesh = 0;
   bool left_out = false;         ///< if true, these axes get no tubes, and everything on them is left out as well
   std::size_t longest_run = 12;  ///< maximum number of nodes per ring; the cost of an axis grows with it
@@ -70,7 +70,7 @@ class TubePlan {
   std::size_t axis_count() const { return plans_.size(); }
   int max_sides() const { return max_sides_; }
   const AxisPlan& operator[](std::size_t axis) const { return plans_[axis]; }
-  const Surface& surface(std::size_t axis) const { return wears_[wear(axis)].surface; }
+  const SurfaceOptions& surface(std::size_t axis) const { return wears_[wear(axis)].surface; }
   std::size_t node_count(AxisIndex axis) const { return axes_.of(axis).size(); }
   /// Returns the path of an axis through the nodes that get rings.
   AxisPath path(AxisIndex axis) const;
@@ -91,7 +91,7 @@ class TubePlan {
                    float error) const;
   void choose_sides(AxisIndex axis);
   void count_rings(AxisIndex axis);
-  Surface::Cap cap(AxisIndex axis) const;
+  SurfaceOptions::Cap cap(AxisIndex axis) const;
   void plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const;
   float room_inside(NodeIndex node) const;
 
@@ -99,7 +99,7 @@ class TubePlan {
   std::span<const Vec3> deformed_;
   std::vector<TubeWear> wears_;
   std::vector<std::uint32_t> wear_of_axis_;
-  Axes axes_;
+  SkeletonAxes axes_;
   std::vector<NodeIndex> kept_;            // nodes of the axes that get rings, for each axis at the positions of its
                                            // nodes in axes_
   std::vector<std::uint32_t> kept_count_;  // for each axis

@@ -56,9 +56,9 @@ struct Turn {
 };
 
 /// Cosines and sines of the corners of polygons with 3 to `max` sides. The last corner repeats the first.
-class CornerTable {
+class TurnTable {
  public:
-  explicit CornerTable(int max) {
+  explicit TurnTable(int max) {
     for (int sides = 3; sides <= max; ++sides) {
       first_.push_back(turns_.size());
       for (int k = 0; k <= sides; ++k) {
@@ -359,12 +359,12 @@ class AxisMesher {
     const Vec3 centre = position(last);
     const float before = slope(last - 1);
     switch (plan_.cap) {
-      case Surface::Cap::pointed:  // a cone as high as it is wide
+      case SurfaceOptions::Cap::pointed:  // a cone as high as it is wide
         ring(centre, width, Mitre(direction), before, -1);
         join();
         close_tip(centre + width * direction, direction, width * kSqrt2);
         return;
-      case Surface::Cap::round:
+      case SurfaceOptions::Cap::round:
         ring(centre, width, Mitre(direction), before, 0);
         join();
         for (std::uint32_t k = 1; k <= AxisPlan::kDomeRings; ++k) {
@@ -377,7 +377,7 @@ class AxisMesher {
         }
         close_tip(centre + width * direction, direction, kDomeStep * width);
         return;
-      case Surface::Cap::flat:
+      case SurfaceOptions::Cap::flat:
         ring(centre, width, Mitre(direction), before, before);
         join();
         close_end(centre, direction);
@@ -493,7 +493,7 @@ class AxisMesher {
   const TubePlan& tubes_;
   AxisPath path_;
   const AxisPlan& plan_;
-  const Surface& surface_;
+  const SurfaceOptions& surface_;
   std::span<const Turn> corners_;
   std::optional<Joint> joint_;
   Mesh& mesh_;
@@ -506,7 +506,7 @@ class AxisMesher {
 
 }  // namespace
 
-Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
+Mesh make_tubes(const Skeleton& skeleton, const SurfaceOptions& surface, Progress& progress) {
   if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale must be above 0");
   return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);
 }
@@ -525,7 +525,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     resize_large(meshes[k].triangles, size.triangles);
   }
   // Let every axis fill its part of the mesh.
-  const CornerTable corners(plan.max_sides());
+  const TurnTable corners(plan.max_sides());
   parallel_for(plan.axis_count(), kMeshedAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       // A successor is written after the axis that it succeeds.

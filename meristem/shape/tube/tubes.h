@@ -38,9 +38,10 @@ class TubePlan;
 /// where the tube tapers. On the outside of a bend, no vertex is farther than 1.27 radii from its axis. Where an axis
 /// bends within its tube's own radius, the inner side is compressed, and rings do not cross.
 ///
-/// Counts the skeleton's nodes in the caller's stage of `progress`. Throws std::invalid_argument if the mesh would need
-/// more than 2^32 vertices, Cancelled. Deterministic on any number of threads. The cost is linear in nodes.
-Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
+/// The mesh is empty if `surface.style` is not `tubes`. Counts the skeleton's nodes in the caller's stage of
+/// `progress`. Throws Cancelled. Throws std::invalid_argument if the mesh would need more than 2^32 vertices, or if
+/// `surface.uv_scale` is not above 0. Deterministic on any number of threads. The cost is linear in nodes.
+Mesh make_tubes(const Skeleton& skeleton, const SurfaceOptions& surface, Progress& progress);
 
 /// Returns the tubes of a skeleton whose axes have different surfaces: the meshes of a plan (tube_plan.h).
 std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress);

@@ -81,11 +81,11 @@ Skeleton random_tree(std::uint64_t seed, int nodes) {
 }
 
 /// Returns a surface without collars, flares and smoothed radii.
-Surface bare(int sides, float uv_scale = 1) {
+SurfaceOptions bare(int sides, float uv_scale = 1) {
   return {.sides = sides, .error = 0, .uv_scale = uv_scale, .smooth = 0, .collar = 0, .flare = 0};
 }
 
-Mesh tubes(const Skeleton& skeleton, Surface surface = bare(8)) {
+Mesh tubes(const Skeleton& skeleton, SurfaceOptions surface = bare(8)) {
   Progress progress;
   return make_tubes(skeleton, surface, progress);
 }
@@ -199,7 +199,7 @@ TEST(Tubes, ALateralStartsInsideItsParent) {
   for (const double angle : {10.0, 30.0, 60.0, 90.0, 120.0, 160.0}) {
     for (const float branch_radius : {0.02F, 0.1F, 0.2F}) {
       const Skeleton skeleton = fork(angle, 0.2F, branch_radius);
-      const Surface surface = bare(10);
+      const SurfaceOptions surface = bare(10);
       const Mesh mesh = tubes(skeleton, surface);
       EXPECT_TRUE(check_mesh(mesh)) << angle;
       // The lateral's closed start and first ring follow the stem's vertices. Its number of sides falls with its
@@ -232,7 +232,7 @@ Skeleton succeeded_stem(double angle_deg, float successor_radius, AxisIndex succ
 }
 
 TEST(Tubes, WhatSucceedsAnAxisGoesOnWithItsRingFrameAndTexture) {
-  const Surface surface = bare(10, 0.1F);
+  const SurfaceOptions surface = bare(10, 0.1F);
   for (const double angle : {0.0, 5.0, 15.0}) {
     const Mesh one = tubes(succeeded_stem(angle, 0.1F, 0), surface);
     const Mesh two = tubes(succeeded_stem(angle, 0.1F, 1), surface);
@@ -266,7 +266,7 @@ TEST(Tubes, EachAxisIsABodyOfItsOwn) {
   const Skeleton skeleton = random_tree(5, 400);
   const Mesh mesh = tubes(skeleton);
   EXPECT_TRUE(check_mesh(mesh));
-  EXPECT_EQ(euler_number(mesh), 2 * static_cast<long>(Axes(skeleton).count()));
+  EXPECT_EQ(euler_number(mesh), 2 * static_cast<long>(SkeletonAxes(skeleton).count()));
 }
 
 TEST(Tubes, ThinnerTubesHaveFewerSidesAndNoneDeviatesMoreFromRound) {
@@ -293,7 +293,7 @@ TEST(Tubes, ThinnerTubesHaveFewerSidesAndNoneDeviatesMoreFromRound) {
 }
 
 TEST(Tubes, TilesGoRoundAWholeNumberOfTimesAndKeepTheirAspect) {
-  const Surface surface = bare(24, 0.1F);
+  const SurfaceOptions surface = bare(24, 0.1F);
   const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}}, {0.2F, 0.15F, 0.1F, 0.05F}), surface);
   // Four rings of 25 vertices follow the closed start.
   const std::size_t first = 25;
@@ -313,7 +313,7 @@ TEST(Tubes, TilesGoRoundAWholeNumberOfTimesAndKeepTheirAspect) {
 
 TEST(Tubes, SizeIsKnownBeforehand) {
   for (const Skeleton& skeleton : {random_tree(1, 2000), fork(60, 0.1F, 0.05F), Skeleton{}}) {
-    for (const Surface& surface : {bare(8), Surface{}}) {
+    for (const SurfaceOptions& surface : {bare(8), SurfaceOptions{}}) {
       const TubeSize size = TubePlan(skeleton, {{surface}}).sizes()[0];
       const Mesh mesh = tubes(skeleton, surface);
       EXPECT_EQ(size.triangles, mesh.triangle_count());
@@ -328,7 +328,7 @@ TEST(Tubes, HaveTheSameBytesOnAnyNumberOfThreads) {
   std::string expected;
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
-    const std::string got = bytes(tubes(skeleton, Surface{}));
+    const std::string got = bytes(tubes(skeleton, SurfaceOptions{}));
     if (expected.empty()) expected = got;
     EXPECT_EQ(got, expected) << threads;
   }
@@ -396,7 +396,7 @@ Skeleton quarter_circle(int segments) {
 
 TEST(Tubes, LeaveOutRingsOnlyWithinTheErrorAllowed) {
   const Skeleton stem = quarter_circle(200);
-  Surface surface = bare(8);
+  SurfaceOptions surface = bare(8);
   std::size_t last = tubes(stem, surface).triangle_count();
   for (const float error : {0.01F, 0.1F, 0.3F}) {
     surface.error = error;
@@ -423,15 +423,15 @@ TEST(Tubes, StraightStemsKeepFewRings) {
     const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), {0, 0.1F * i, 0}, 0);
     stem.radius[node] = 0.1F;
   }
-  Surface surface = bare(8);
+  SurfaceOptions surface = bare(8);
   surface.error = 0.01F;
   EXPECT_LE(TubePlan(stem, {{surface}}).path(0).size(), 14U);
 }
 
 TEST(Tubes, CapsCloseTheTipAsAsked) {
   const Skeleton stem = quarter_circle(20);
-  const auto volume = [&](Surface::Cap cap) {
-    Surface surface = bare(24);
+  const auto volume = [&](SurfaceOptions::Cap cap) {
+    SurfaceOptions surface = bare(24);
     surface.cap = cap;
     const Mesh mesh = tubes(stem, surface);
     EXPECT_TRUE(check_mesh(mesh));
@@ -443,9 +443,9 @@ TEST(Tubes, CapsCloseTheTipAsAsked) {
   };
   // Compared with a flat end: a cone and a half ball of the tip's radius.
   const double cube = 0.05 * 0.05 * 0.05;
-  const double flat = volume(Surface::Cap::flat);
-  EXPECT_NEAR(volume(Surface::Cap::pointed) - flat, kPi / 3 * cube, 0.03 * cube);
-  EXPECT_NEAR(volume(Surface::Cap::round) - flat, 2 * kPi / 3 * cube, 0.25 * cube);
+  const double flat = volume(SurfaceOptions::Cap::flat);
+  EXPECT_NEAR(volume(SurfaceOptions::Cap::pointed) - flat, kPi / 3 * cube, 0.03 * cube);
+  EXPECT_NEAR(volume(SurfaceOptions::Cap::round) - flat, 2 * kPi / 3 * cube, 0.25 * cube);
 }
 
 TEST(Tubes, AxesOfOneSkeletonMayWearTheirOwn) {

@@ -46,9 +46,9 @@ void curve() {
   expect(taper.slope(0.25) < 0);
 }
 
-// Example of Track: a leaf opens in two seconds.
+// Example of KeyTrack: a leaf opens in two seconds.
 void track() {
-  const Track opening({{.time = 1, .value = 0}, {.time = 3, .value = 90}});
+  const KeyTrack opening({{.time = 1, .value = 0}, {.time = 3, .value = 90}});
   expect(opening.at(0) == 0);
   expect(opening.at(2) == 45);
   expect(opening.at(9) == 90);

@@ -39,8 +39,8 @@ void stand() {
   west.points = points;
   Seedling east;
   east.root = {0.4F, 0, 0};
-  pair.add(make_colonizer(pair, {west}, parameters, key.child(0), open, Limits(), "west", progress));
-  pair.add(make_colonizer(pair, {east}, parameters, key.child(1), open, Limits(), "east", progress));
+  pair.add(make_colonizer(pair, {west}, parameters, key.child(0), open, SizeLimits(), "west", progress));
+  pair.add(make_colonizer(pair, {east}, parameters, key.child(1), open, SizeLimits(), "east", progress));
   pair.grow(progress);
   const std::vector<Skeleton> trees = pair.take_skeletons(progress);
   expect(trees.size() == 2 && trees[0].node_count() > 100);
@@ -54,7 +54,7 @@ void organize() {
   parameters.length = 0.12;  // metres for each metamer
   const Scene open;          // must outlive the growth
   Stand stand;
-  stand.add(make_organizer(stand, {OrganizeSeed{}}, parameters, RandomKey(3), open, Limits(), "tree"));
+  stand.add(make_organizer(stand, {OrganizeSeed{}}, parameters, RandomKey(3), open, SizeLimits(), "tree"));
   stand.grow(progress);
   const Skeleton tree = std::move(stand.take_skeletons(progress).front());
   expect(tree.axis_count() > 1);
@@ -64,17 +64,17 @@ void organize() {
 void grammar() {
   const Grammar rules = read_grammar("#axiom A\n#rules\nA -> F[+A]A\nF -> FF\n");
   Progress progress;
-  const Word word = derive(rules, 2, RandomKey(1), Limits(), progress);
+  const Word word = derive(rules, 2, RandomKey(1), SizeLimits(), progress);
   expect(word_text(word, rules.alphabet) == "FF[+F[+A]A]F[+A]A");
 }
 
-// Example of Surface: a stem as a tube with eight sides.
+// Example of SurfaceOptions: a stem as a tube with eight sides.
 void surface() {
   Skeleton stem;
   const NodeIndex root = stem.add_node(kNoNode, {0, 0, 0}, 0);
   stem.add_node(root, {0, 1, 0}, 1);
   stem.radius = {0.1F, 0.1F};
-  Surface bark;
+  SurfaceOptions bark;
   bark.sides = 8;
   bark.flare = 0;
   Progress progress;
@@ -101,7 +101,7 @@ void tree_form() {
   tree.radius = {0.1F, 0.08F, 0.02F, 0.02F};
   tree.axis = {0, 0, 0, 1};
   tree.order = {0, 0, 0, 1};
-  const TreeForm form = measure_form(tree, Children(tree));
+  const TreeForm form = measure_form(tree, NodeChildren(tree));
   expect(form.height == 3 && form.crown_width == 2 && form.forks == 1);
 }
 

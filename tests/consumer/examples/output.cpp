@@ -71,7 +71,7 @@ void still() {
   const Document document = sapling();
   const GrownDocument grown = grow_document(document, progress);
   const Image picture =
-      render_still(grown.meshes, document.scene, View(), {.width = 64, .height = 64, .samples = 4}, progress);
+      render_still(grown.meshes, document.scene, CameraView(), {.width = 64, .height = 64, .samples = 4}, progress);
   write_png(picture, "sapling.png");
 }
 

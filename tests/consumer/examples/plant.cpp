@@ -14,7 +14,8 @@
 #include "meristem/scene/light/light.h"
 #include "meristem/scene/obstacle/obstacles.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/assembly/make_mesh_scene.h"
+#include "meristem/shape/scene/mesh_scene.h"
 #include "meristem/shape/solid/primitives.h"
 
 using namespace meristem;
@@ -38,13 +39,13 @@ void skeleton() {
   expect(tip_distance(stem)[root] == length);
 }
 
-// Example of Children: the forks of a skeleton.
+// Example of NodeChildren: the forks of a skeleton.
 void children() {
   Skeleton fork;
   const NodeIndex root = fork.add_node(kNoNode, {0, 0, 0}, 0);
   fork.add_node(root, {-0.5F, 1, 0}, 1);
   fork.add_node(root, {0.5F, 1, 0}, 1);
-  const Children children(fork);
+  const NodeChildren children(fork);
   expect(children.of(root).size() == 2);
 }
 
@@ -65,7 +66,7 @@ void plant() {
   made.organs.push_back(fruit);
 
   Progress progress;
-  const MeshScene scene = make_mesh_scene(made, Limits(), progress);
+  const MeshScene scene = make_mesh_scene(made, SizeLimits(), progress);
   expect(scene.meshes.size() == 2);
 }
 

@@ -8,7 +8,10 @@ export const tool = (page, name) => page.locator('.board-tools').getByRole('butt
 
 export async function open_board(page) {
   if (await page.locator('.board-canvas').isVisible()) return;
-  await page.getByRole('group', { name: 'Outline or board' }).getByRole('button', { name: 'Board', exact: true }).click();
+  await page
+    .getByRole('group', { name: 'Outline or board' })
+    .getByRole('button', { name: 'Board', exact: true })
+    .click();
   await page.locator('.board-canvas').waitFor();
 }
 
@@ -24,13 +27,20 @@ export async function add_by_mouse(page, below, type, kind = null) {
   await click_node(page, below);
   await tool(page, 'Add').click();
   const dialog = page.getByRole('dialog');
-  if (kind !== null) await dialog.getByRole('group', { name: 'Kind of the link' }).getByRole('button', { name: kind, exact: true }).click();
+  if (kind !== null)
+    await dialog
+      .getByRole('group', { name: 'Kind of the link' })
+      .getByRole('button', { name: kind, exact: true })
+      .click();
   await changes(page, () => dialog.locator(`[data-add="${type}"]`).click());
   await page.waitForFunction(() => window.studio.chosen.get().startsWith('components.'));
 }
 
 export async function rename_by_mouse(page, name) {
-  await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
+  await page
+    .locator('.board-tools')
+    .getByRole('button', { name: /^More for/ })
+    .click();
   await page.getByRole('menuitem', { name: 'Rename…', exact: true }).click();
   await page.locator('#board-name').fill(name);
   await changes(page, () => page.locator('.board-field').getByRole('button', { name: 'Rename' }).click());
@@ -66,14 +76,18 @@ export async function hang_by_mouse(page, id, on) {
 /// Chooses the link above a component and gives it this kind.
 export async function set_kind_by_mouse(page, id, kind) {
   await click_node(page, id);
-  await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
+  await page
+    .locator('.board-tools')
+    .getByRole('button', { name: /^More for/ })
+    .click();
   await page.getByRole('menuitem', { name: 'Choose its link', exact: true }).click();
   await changes(page, () => page.locator('.board-tools').getByRole('button', { name: kind, exact: true }).click());
 }
 
 // With the keyboard alone.
 
-const keyboard_is_at = (page, selector) => page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector);
+const keyboard_is_at = (page, selector) =>
+  page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector);
 
 /// Presses Tab until an element has the focus.
 export async function tab_to(page, selector, key = 'Tab') {
@@ -98,7 +112,9 @@ export async function go_to(page, id) {
   if (!way) throw new Error(`there is no ${id} on the board`);
   const here = () => page.evaluate(() => document.activeElement.dataset.node);
   const down = (await page.locator('.board-canvas').getAttribute('data-direction')) === 'down';
-  const [up, below, before, behind] = down ? ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight'] : ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
+  const [up, below, before, behind] = down
+    ? ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']
+    : ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
   while ((await here()) !== way[0]) {
     const at = await here();
     await page.keyboard.press(up);
@@ -114,7 +130,10 @@ export async function go_to(page, id) {
         if ((await here()) === at) break;
       }
     }
-    if ((await here()) !== next) throw new Error(`the arrow keys do not come to ${next}, but to ${await here()} of ${await page.locator('.board-node').evaluateAll((all) => all.map((one) => one.dataset.node))}`);
+    if ((await here()) !== next)
+      throw new Error(
+        `the arrow keys do not come to ${next}, but to ${await here()} of ${await page.locator('.board-node').evaluateAll((all) => all.map((one) => one.dataset.node))}`,
+      );
   }
 }
 
@@ -139,7 +158,10 @@ export async function rename_by_keyboard(page, name) {
   await page.keyboard.press('Control+a');
   await page.keyboard.type(name);
   await changes(page, () => page.keyboard.press('Enter'));
-  await page.waitForFunction((wanted) => window.studio.chosen.get() === `components.${wanted}` && document.activeElement?.matches('.board-node'), name);
+  await page.waitForFunction(
+    (wanted) => window.studio.chosen.get() === `components.${wanted}` && document.activeElement?.matches('.board-node'),
+    name,
+  );
 }
 
 /// Finds a piece of the text and replaces it.
@@ -153,7 +175,9 @@ export async function retype_by_keyboard(page, piece, replacement) {
   await page.keyboard.type(piece.slice(-1));
   await page.keyboard.press('Enter');
   await page.keyboard.press('Escape');
-  await changes(page, () => (replacement === '' ? page.keyboard.press('Delete') : page.keyboard.insertText(replacement)));
+  await changes(page, () =>
+    replacement === '' ? page.keyboard.press('Delete') : page.keyboard.insertText(replacement),
+  );
 }
 
 /// Gives the chosen variable its name.

@@ -4,11 +4,34 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-
+import {
+  add_by_mouse,
+  carry,
+  chosen,
+  click_node,
+  draw_link,
+  hang_by_mouse,
+  middle,
+  node,
+  open_board,
+  rename_by_mouse,
+  set_kind_by_mouse,
+  tool,
+} from './board_hands.mjs';
 import { serious_faults } from './boxes.mjs';
-import { add_by_mouse, carry, chosen, click_node, draw_link, hang_by_mouse, middle, node, open_board, rename_by_mouse, set_kind_by_mouse, tool } from './board_hands.mjs';
 import { choose, leave_fields, open_file, open_model, step, undo_all } from './hands.mjs';
-import { changes, kSource, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  changes,
+  kSource,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kFlower = `// A flower.\r
 {\r
@@ -56,7 +79,10 @@ const kStones = `{\r
 /// Twenty balls in four rows, of one component.
 const kBalls = {
   meristem: 1,
-  components: { field: { type: 'field', rows: 4, plants: 5, row_spacing: 2, spacing: 2, turned: false }, ball: { type: 'simple', shape: 'sphere', size: [1, 1, 1], colours: ['#335577', '#ddaa66'], colour_at: 'i/n' } },
+  components: {
+    field: { type: 'field', rows: 4, plants: 5, row_spacing: 2, spacing: 2, turned: false },
+    ball: { type: 'simple', shape: 'sphere', size: [1, 1, 1], colours: ['#335577', '#ddaa66'], colour_at: 'i/n' },
+  },
   links: [['field', 'ball']],
 };
 
@@ -68,10 +94,18 @@ before(async () => {
   place = await temporary_folder();
   await write_document(place.folder, 'flower.json', kFlower);
   await write_document(place.folder, 'stones.json', kStones);
-  for (const [name, document] of [['recursion', kRecursion], ['balls', kBalls], ['plot', kPlot]]) await write_document(place.folder, `${name}.json`, JSON.stringify(document));
+  for (const [name, document] of [
+    ['recursion', kRecursion],
+    ['balls', kBalls],
+    ['plot', kPlot],
+  ])
+    await write_document(place.folder, `${name}.json`, JSON.stringify(document));
   server = await start_server(place.folder, path.join(place.folder, 'flower.json'));
   browser = await start_browser();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
+  context = await browser.newContext({
+    viewport: { width: 1280, height: 900 },
+    permissions: ['clipboard-read', 'clipboard-write'],
+  });
   page = await open_page(context, server.address);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await open_board(page);
@@ -123,7 +157,10 @@ test('a recursion shows its first component twice, with doubled lines', async ()
 
 test('a grammar and what it places are linked, and a document without a camera has one', async () => {
   await open_model(page, 'fern');
-  const { implied, components } = await page.evaluate(() => ({ implied: window.studio.document.state.get().implied, components: Object.keys(window.studio.document.state.get().tree.value.components) }));
+  const { implied, components } = await page.evaluate(() => ({
+    implied: window.studio.document.state.get().implied,
+    components: Object.keys(window.studio.document.state.get().tree.value.components),
+  }));
   assert.equal(await lines('.board-line.placed'), implied.length);
   assert.ok(implied.length > 0);
   assert.ok((await nodes()).length >= components.length);
@@ -147,7 +184,10 @@ test('what is chosen on the board is chosen in outline, inspector and text, and 
   assert.ok(await line.isVisible());
   await page.getByRole('group', { name: 'Side panel' }).getByRole('button', { name: 'Inspector' }).click();
   // Outline to board.
-  await page.getByRole('group', { name: 'Outline or board' }).getByRole('button', { name: 'Outline', exact: true }).click();
+  await page
+    .getByRole('group', { name: 'Outline or board' })
+    .getByRole('button', { name: 'Outline', exact: true })
+    .click();
   await choose(page, 'ring → petal');
   await open_board(page);
   assert.equal(await lines('.board-line.chosen'), 1);
@@ -161,8 +201,18 @@ test('what is chosen on the board is chosen in outline, inspector and text, and 
 test('components are added below the chosen one, by mouse, as one step each', async () => {
   await reopen();
   const { after_it } = await is_one_step(() => add_by_mouse(page, 'ring', 'hydra'));
-  assert.deepEqual(await links(), [['view', 'stem'], { from: 'stem', to: 'leaf', kind: 'branch', count: 5 }, ['stem', 'ring'], ['ring', 'petal'], ['ring', 'hydra']]);
-  assert.ok(after_it.includes('"petal": {"type": "leaf", "length": 0.08, "colour": "#e8a50c"},\r\n\t\t"hydra": {"type": "hydra"}\r\n\t},'));
+  assert.deepEqual(await links(), [
+    ['view', 'stem'],
+    { from: 'stem', to: 'leaf', kind: 'branch', count: 5 },
+    ['stem', 'ring'],
+    ['ring', 'petal'],
+    ['ring', 'hydra'],
+  ]);
+  assert.ok(
+    after_it.includes(
+      '"petal": {"type": "leaf", "length": 0.08, "colour": "#e8a50c"},\r\n\t\t"hydra": {"type": "hydra"}\r\n\t},',
+    ),
+  );
   assert.ok(after_it.includes('["ring", "petal"], // the ring\'s\r\n\t\t["ring", "hydra"]\r\n\t]'));
   await is_one_step(() => add_by_mouse(page, 'stem', 'leaf'));
   assert.deepEqual((await links())[3], { from: 'stem', to: 'leaf_2', kind: 'branch' });
@@ -173,15 +223,27 @@ test('all that the palette offers can be added, and has a picture', async () => 
   await click_node(page, 'stem');
   await tool(page, 'Add').click();
   const types = await page.locator('.dialog [data-add]').evaluateAll((all) => all.map((one) => one.dataset.add));
-  await page.waitForFunction(() => [...document.querySelectorAll('.dialog .model img')].every((one) => one.complete && one.naturalWidth > 0));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('.dialog .model img')].every((one) => one.complete && one.naturalWidth > 0),
+  );
   assert.equal(await page.locator('.dialog .no-picture').count(), 0);
   await page.keyboard.press('Escape');
   // A document and a skeleton need a file that only their author knows.
   for (const type of types.filter((one) => !['document', 'skeleton'].includes(one))) {
     await add_by_mouse(page, 'stem', type, 'Child');
-    await page.waitForFunction(() => window.studio.document.state.get().faults.length === 0 || window.studio.document.state.get().faults.every((one) => one.severity !== 'error'), null, { timeout: 10000 }).catch(async () => {
-      assert.fail(`${type}: ${JSON.stringify(await page.evaluate(() => window.studio.document.state.get().faults.map((one) => one.message)))}`);
-    });
+    await page
+      .waitForFunction(
+        () =>
+          window.studio.document.state.get().faults.length === 0 ||
+          window.studio.document.state.get().faults.every((one) => one.severity !== 'error'),
+        null,
+        { timeout: 10000 },
+      )
+      .catch(async () => {
+        assert.fail(
+          `${type}: ${JSON.stringify(await page.evaluate(() => window.studio.document.state.get().faults.map((one) => one.message)))}`,
+        );
+      });
     await leave_fields(page);
     await page.keyboard.press('Control+z');
     await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
@@ -196,7 +258,10 @@ test('links are drawn from node to node; a circle is refused at the edge, with t
   assert.match(await node(page, 'stem').getAttribute('class'), /refused/);
   await page.mouse.up();
   await page.locator('.board-word.fault').waitFor();
-  assert.match(await page.locator('.board-word.fault').innerText(), /stem > ring > petal > stem would form an endless circle. A recursion of at least 2 in stem/);
+  assert.match(
+    await page.locator('.board-word.fault').innerText(),
+    /stem > ring > petal > stem would form an endless circle. A recursion of at least 2 in stem/,
+  );
   assert.equal(await lines('.board-line.refused'), 1);
   assert.equal(await text_of(page), kFlower);
   assert.equal(await undo_count(page), 0);
@@ -226,11 +291,22 @@ test('links change kind, order and ends; links and components go', async () => {
   await changes(page, () => page.locator('.board-tools').getByRole('button', { name: 'Child', exact: true }).click());
   assert.deepEqual((await links())[2], ['stem', 'ring']);
   // The ring before the leaf: by the mouse and back by the keyboard.
-  await is_one_step(async () => carry(page, await middle(node(page, 'ring')), [(await middle(node(page, 'leaf')))[0] - 90, (await middle(node(page, 'leaf')))[1] + 34]));
-  assert.deepEqual((await links()).map((one) => one.to ?? one[1]), ['stem', 'ring', 'leaf', 'petal']);
+  await is_one_step(async () =>
+    carry(page, await middle(node(page, 'ring')), [
+      (await middle(node(page, 'leaf')))[0] - 90,
+      (await middle(node(page, 'leaf')))[1] + 34,
+    ]),
+  );
+  assert.deepEqual(
+    (await links()).map((one) => one.to ?? one[1]),
+    ['stem', 'ring', 'leaf', 'petal'],
+  );
   await click_node(page, 'ring');
   await changes(page, () => page.keyboard.press('Alt+ArrowRight'));
-  assert.deepEqual((await links()).map((one) => one.to ?? one[1]), ['stem', 'leaf', 'ring', 'petal']);
+  assert.deepEqual(
+    (await links()).map((one) => one.to ?? one[1]),
+    ['stem', 'leaf', 'ring', 'petal'],
+  );
   await hang_by_mouse(page, 'petal', 'stem');
   assert.deepEqual((await links())[3], ['stem', 'petal']);
   await click_node(page, 'leaf');
@@ -246,23 +322,35 @@ test('links change kind, order and ends; links and components go', async () => {
 test('components change places among themselves, and their comments go along', async () => {
   await open_file(page, 'stones.json');
   const ids = async () => Object.keys((await said()).components);
-  const beside = (await page.locator('.board-canvas').getAttribute('data-direction')) === 'down' ? ['ArrowLeft', 'ArrowRight'] : ['ArrowUp', 'ArrowDown'];
+  const beside =
+    (await page.locator('.board-canvas').getAttribute('data-direction')) === 'down'
+      ? ['ArrowLeft', 'ArrowRight']
+      : ['ArrowUp', 'ArrowDown'];
   await click_node(page, 'stone');
   await is_one_step(async () => {
     await node(page, 'stone').focus();
     await page.keyboard.press(`Alt+${beside[1]}`);
   });
   assert.deepEqual(await ids(), ['ball', 'stone', 'pebble']);
-  assert.ok((await text_of(page)).includes('// the first\r\n\t\t"stone": {"type": "simple", "shape": "cube"}, // square\r\n'), await text_of(page));
+  assert.ok(
+    (await text_of(page)).includes('// the first\r\n\t\t"stone": {"type": "simple", "shape": "cube"}, // square\r\n'),
+    await text_of(page),
+  );
   // By the mouse: the pebble before all.
   const [x, y] = await middle(node(page, 'ball'));
   const before_it = beside[0] === 'ArrowLeft' ? [x - 60, y + 34] : [x + 70, y - 24];
   await is_one_step(async () => carry(page, await middle(node(page, 'pebble')), before_it));
   assert.deepEqual(await ids(), ['pebble', 'ball', 'stone']);
-  assert.deepEqual((await nodes()).filter((one) => one !== 'camera'), ['pebble', 'ball', 'stone']);
+  assert.deepEqual(
+    (await nodes()).filter((one) => one !== 'camera'),
+    ['pebble', 'ball', 'stone'],
+  );
   // By the menu, and in the document, where the links give the positions on the board.
   await click_node(page, 'stone');
-  await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
+  await page
+    .locator('.board-tools')
+    .getByRole('button', { name: /^More for/ })
+    .click();
   await changes(page, () => page.getByRole('menuitem', { name: 'Earlier in the document', exact: true }).click());
   assert.deepEqual(await ids(), ['pebble', 'stone', 'ball']);
   await leave_fields(page);
@@ -292,9 +380,16 @@ test('deleting takes along what stands on nothing else, or leaves it on the pare
   assert.ok(!(await text_of(page)).includes('What all stands on'));
   await undo_all(page);
   await click_node(page, 'ring');
-  await page.locator('.board-tools').getByRole('button', { name: /^More for/ }).click();
+  await page
+    .locator('.board-tools')
+    .getByRole('button', { name: /^More for/ })
+    .click();
   await changes(page, () => page.getByRole('menuitem', { name: 'Delete alone', exact: true }).click());
-  assert.deepEqual(await links(), [['view', 'stem'], { from: 'stem', to: 'leaf', kind: 'branch', count: 5 }, ['stem', 'petal']]);
+  assert.deepEqual(await links(), [
+    ['view', 'stem'],
+    { from: 'stem', to: 'leaf', kind: 'branch', count: 5 },
+    ['stem', 'petal'],
+  ]);
   await leave_fields(page);
   await undo_all(page);
   assert.equal(await text_of(page), kFlower);
@@ -304,7 +399,10 @@ test('renaming follows all references, says that chance is drawn anew, and undo 
   await reopen();
   await click_node(page, 'ring');
   await rename_by_mouse(page, 'corolla');
-  assert.deepEqual((await links()).slice(2), [['stem', 'corolla'], ['corolla', 'petal']]);
+  assert.deepEqual((await links()).slice(2), [
+    ['stem', 'corolla'],
+    ['corolla', 'petal'],
+  ]);
   await page.locator('.toast', { hasText: 'chance' }).waitFor();
   // A name in use is refused.
   await page.keyboard.press('F2');
@@ -342,8 +440,15 @@ test('duplicates stand on the same parents by the same links, with the layout of
     await click_node(page, 'leaf');
     await page.keyboard.press('Control+d');
   });
-  assert.deepEqual((await links()).slice(1, 3), [{ from: 'stem', to: 'leaf', kind: 'branch', count: 5 }, { from: 'stem', to: 'leaf_2', kind: 'branch', count: 5 }]);
-  assert.ok((await text_of(page)).includes('"leaf_2": {"type": "leaf", "length": 0.1, "colour": "#55782f"}, // along the stem\r\n'));
+  assert.deepEqual((await links()).slice(1, 3), [
+    { from: 'stem', to: 'leaf', kind: 'branch', count: 5 },
+    { from: 'stem', to: 'leaf_2', kind: 'branch', count: 5 },
+  ]);
+  assert.ok(
+    (await text_of(page)).includes(
+      '"leaf_2": {"type": "leaf", "length": 0.1, "colour": "#55782f"}, // along the stem\r\n',
+    ),
+  );
   assert.equal(chose, 'components.leaf_2');
 });
 
@@ -358,10 +463,15 @@ test('parts are copied from one document into another, with their variables and 
   await click_node(other, 'B');
   await changes(other, () => other.keyboard.press('Control+v'));
   await settled(other);
-  const document = await other.evaluate(() => JSON.parse(JSON.stringify(window.studio.document.state.get().tree.value)));
+  const document = await other.evaluate(() =>
+    JSON.parse(JSON.stringify(window.studio.document.state.get().tree.value)),
+  );
   assert.deepEqual(Object.keys(document.components), ['A', 'B', 'C', 'D', 'E', 'ring', 'petal']);
   assert.deepEqual(document.variables, { petals: { value: 7, min: 3, max: 12, doc: 'How many.' } });
-  assert.deepEqual(document.links.slice(2, 4), [['B', 'ring'], ['ring', 'petal']]);
+  assert.deepEqual(document.links.slice(2, 4), [
+    ['B', 'ring'],
+    ['ring', 'petal'],
+  ]);
   assert.equal(await undo_count(other), 1);
   await other.close();
 });
@@ -411,7 +521,10 @@ test('20 clicks in the view tell which instance it is, with the values that it h
     const camera = orbit.camera;
     const points = [];
     for (let k = 0; k < 20; k += 1) {
-      const v = camera.position.clone().set(frames[12 * k + 3], frames[12 * k + 7] + 0.5, frames[12 * k + 11]).project(camera);
+      const v = camera.position
+        .clone()
+        .set(frames[12 * k + 3], frames[12 * k + 7] + 0.5, frames[12 * k + 11])
+        .project(camera);
       points.push([box.left + ((v.x + 1) / 2) * box.width, box.top + ((1 - v.y) / 2) * box.height]);
     }
     return buffers && points;
@@ -421,7 +534,10 @@ test('20 clicks in the view tell which instance it is, with the values that it h
     await page.waitForFunction((number) => window.studio.instance.found.get()?.i === number, k, { timeout: 5000 });
     const found = await page.evaluate(() => window.studio.instance.found.get());
     assert.equal(found.n, 20);
-    assert.deepEqual(found.values.map((one) => [one.path, Math.round(100 * one.value)]), [['components.ball.colour_at', 5 * k]]);
+    assert.deepEqual(
+      found.values.map((one) => [one.path, Math.round(100 * one.value)]),
+      [['components.ball.colour_at', 5 * k]],
+    );
   }
   assert.match(await page.locator('.instance').innerText(), /Instance 19 of 20/);
   assert.equal(await chosen(page), 'components.ball');
@@ -436,7 +552,10 @@ test('instances are clicked into omit and only, as one step each', async () => {
       const { plant, orbit } = window.studio.view;
       const box = document.querySelector('.view canvas').getBoundingClientRect();
       const frames = plant.seen.find((one) => one.component === 'ball').batch.frames.image.data;
-      const v = orbit.camera.position.clone().set(frames[12 * number + 3], frames[12 * number + 7] + 0.5, frames[12 * number + 11]).project(orbit.camera);
+      const v = orbit.camera.position
+        .clone()
+        .set(frames[12 * number + 3], frames[12 * number + 7] + 0.5, frames[12 * number + 11])
+        .project(orbit.camera);
       return [box.left + ((v.x + 1) / 2) * box.width, box.top + ((1 - v.y) / 2) * box.height];
     }, k);
     await page.mouse.click(x, y);
@@ -507,7 +626,10 @@ test('the board of each shipped plant has all of its components', async () => {
     const all = await nodes();
     for (const id of Object.keys(document.components)) assert.ok(all.includes(id), `${name}: ${id}`);
     assert.equal(await lines('[data-line]'), document.links.length);
-    await page.getByRole('button', { name: 'Cancel' }).click({ timeout: 2000 }).catch(() => undefined);
+    await page
+      .getByRole('button', { name: 'Cancel' })
+      .click({ timeout: 2000 })
+      .catch(() => undefined);
   }
 });
 
@@ -525,5 +647,8 @@ for (const theme of ['light', 'dark']) {
 }
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

@@ -23,7 +23,19 @@ const kTable = `x,z,ball\n${kNames.map((name, k) => `${place_of(k).join(',')},ba
 const kRow = {
   meristem: 1,
   name: 'Row',
-  components: { line: { type: 'places', line: { points: [[0, 0], [8, 0]], spacing: 2 } }, ball: { type: 'simple', shape: 'sphere', size: [1, 1, 1] } },
+  components: {
+    line: {
+      type: 'places',
+      line: {
+        points: [
+          [0, 0],
+          [8, 0],
+        ],
+        spacing: 2,
+      },
+    },
+    ball: { type: 'simple', shape: 'sphere', size: [1, 1, 1] },
+  },
   links: [['line', 'ball']],
 };
 
@@ -47,14 +59,21 @@ after(async () => {
 
 /// Returns the pixel of the page that shows a point of the world, by the camera's matrices.
 async function seen_at([x, y, z]) {
-  return page.evaluate(async (point) => {
-    await window.studio.view.drawn(); // a panel may just have become wider
-    const { camera } = window.studio.view.orbit;
-    const times = (m, [a, b, c, d]) => [0, 1, 2, 3].map((k) => m[k] * a + m[k + 4] * b + m[k + 8] * c + m[k + 12] * d);
-    const [u, v, , w] = times(camera.projectionMatrix.elements, times(camera.matrixWorldInverse.elements, [...point, 1]));
-    const box = document.querySelector('.view canvas').getBoundingClientRect();
-    return [box.left + ((u / w + 1) / 2) * box.width, box.top + ((1 - v / w) / 2) * box.height];
-  }, [x, y, z]);
+  return page.evaluate(
+    async (point) => {
+      await window.studio.view.drawn(); // a panel may just have become wider
+      const { camera } = window.studio.view.orbit;
+      const times = (m, [a, b, c, d]) =>
+        [0, 1, 2, 3].map((k) => m[k] * a + m[k + 4] * b + m[k + 8] * c + m[k + 12] * d);
+      const [u, v, , w] = times(
+        camera.projectionMatrix.elements,
+        times(camera.matrixWorldInverse.elements, [...point, 1]),
+      );
+      const box = document.querySelector('.view canvas').getBoundingClientRect();
+      return [box.left + ((u / w + 1) / 2) * box.width, box.top + ((1 - v / w) / 2) * box.height];
+    },
+    [x, y, z],
+  );
 }
 
 const click_at = async (point) => page.mouse.click(...(await seen_at(point)));
@@ -80,7 +99,13 @@ test('twenty clicks choose the twenty balls that are there', async () => {
 
 test('outline, inspector and text follow a click, and an empty place lets go', async () => {
   await click_at([4, 0.5, 6]);
-  assert.equal(await page.locator('.outline-choice[aria-current]').innerText().then((text) => text.split('\n')[0]), 'ball_r');
+  assert.equal(
+    await page
+      .locator('.outline-choice[aria-current]')
+      .innerText()
+      .then((text) => text.split('\n')[0]),
+    'ball_r',
+  );
   assert.match(await page.locator('#inspector-title').innerText(), /^ball_r/);
   await page.keyboard.press('t');
   const line = page.locator('.cm-activeLine').first();
@@ -132,11 +157,12 @@ test('the pointer at rest is told what it points at', async () => {
 test('one instance is marked, until it is another one or gone; nothing stays behind', async () => {
   await open_file(page, 'row.json');
   await page.keyboard.press('7');
-  const counts = () => page.evaluate(async () => {
-    await window.studio.view.drawn();
-    const { batches, instance_sets, geometries } = window.studio.view.counts;
-    return { batches, instance_sets, geometries };
-  });
+  const counts = () =>
+    page.evaluate(async () => {
+      await window.studio.view.drawn();
+      const { batches, instance_sets, geometries } = window.studio.view.counts;
+      return { batches, instance_sets, geometries };
+    });
   const before_it = await counts();
   for (let k = 0; k < 5; k += 1) {
     await click_at([2 * k, 0.5, 0]);
@@ -154,5 +180,8 @@ test('one instance is marked, until it is another one or gone; nothing stays beh
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

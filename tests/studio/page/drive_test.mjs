@@ -6,8 +6,37 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { box_faults, faint_texts, serious_faults } from './boxes.mjs';
-import { choose, drag, field, leave_fields, open_file, pick, point_at, retype, row, slider, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, kept, open_page, ready, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
+import {
+  choose,
+  drag,
+  field,
+  leave_fields,
+  open_file,
+  pick,
+  point_at,
+  retype,
+  row,
+  slider,
+  step,
+  type_into,
+  undo_all,
+} from './hands.mjs';
+import {
+  kAxe,
+  kept,
+  open_page,
+  ready,
+  settled,
+  start_browser,
+  start_server,
+  still,
+  temporary_folder,
+  text_of,
+  undo_count,
+  validator,
+  visit,
+  write_document,
+} from './support.mjs';
 
 const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
 
@@ -33,7 +62,10 @@ const reopen = () => open_file(page, 'small.json');
 test('the document is shown as it is: name, handles, outline, plant', async () => {
   assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), 'Sapling');
   assert.equal(await page.locator('.handle').count(), 2);
-  assert.deepEqual(await page.locator('.outline-group').first().locator('.outline-title').allInnerTexts(), ['tree', 'leaf']);
+  assert.deepEqual(await page.locator('.outline-group').first().locator('.outline-title').allInnerTexts(), [
+    'tree',
+    'leaf',
+  ]);
   assert.equal(await text_of(page), kSmall);
   const { batches } = await page.evaluate(() => window.studio.view.counts);
   assert.ok(batches >= 2);
@@ -60,7 +92,8 @@ test('dragging a field: Shift is fine, Escape puts back, and that is no step', a
   assert.equal(await text_of(page), kSmall);
   assert.equal(await undo_count(page), 0);
   await step(page, () => across(40, true));
-  const value = () => page.evaluate(() => window.studio.document.state.get().variables.find((one) => one.name === 'bend').value);
+  const value = () =>
+    page.evaluate(() => window.studio.document.state.get().variables.find((one) => one.name === 'bend').value);
   const coarse = (await value()) - 30;
   assert.ok(coarse > 1);
   await page.keyboard.down('Shift');
@@ -73,7 +106,16 @@ test('dragging a field: Shift is fine, Escape puts back, and that is no step', a
 
 test('undo of everything gives the first bytes, with mark, CRLF, comments and tabs', async () => {
   await reopen();
-  const into = (path, name, text) => step(page, () => type_into(page, name === null ? row(page, path).locator('.text-field').first() : row(page, path).getByRole('textbox', { name, exact: true }), text));
+  const into = (path, name, text) =>
+    step(page, () =>
+      type_into(
+        page,
+        name === null
+          ? row(page, path).locator('.text-field').first()
+          : row(page, path).getByRole('textbox', { name, exact: true }),
+        text,
+      ),
+    );
   await choose(page, 'leaf');
   await into('components.leaf.fold', 'fold', '12');
   await into('components.leaf.colour', null, '#334455');
@@ -318,7 +360,10 @@ test('the keyboard alone opens a plant, turns a handle, chooses a component and 
   await reopen();
   const press = (...keys) => keys.reduce((all, key) => all.then(() => page.keyboard.press(key)), Promise.resolve());
   await leave_fields(page);
-  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent ?? '');
+  const focused = () =>
+    page.evaluate(
+      () => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent ?? '',
+    );
   for (let k = 0; k < 60 && (await focused()) !== 'size, slider'; k += 1) await press('Tab');
   assert.equal(await focused(), 'size, slider');
   await press('ArrowRight', 'ArrowRight');
@@ -350,7 +395,11 @@ const kViews = [
   ['a component', () => choose(page, 'leaf')],
   ['a link', () => choose(page, 'tree → leaf')],
   ['the scene', () => choose(page, 'Scene')],
-  ['the text', () => page.getByRole('button', { name: 'Text', exact: true }).click(), () => page.getByRole('button', { name: 'Inspector', exact: true }).click()],
+  [
+    'the text',
+    () => page.getByRole('button', { name: 'Text', exact: true }).click(),
+    () => page.getByRole('button', { name: 'Inspector', exact: true }).click(),
+  ],
   ...[
     ['export', 'Control+e', 'dialog'],
     ['keys', '?', 'dialog'],
@@ -399,14 +448,16 @@ test('the theme button goes round, and the choice stays', async () => {
 test('what is drawn goes when it is gone, and comes back after a lost context', async () => {
   await reopen();
   // Buffers are counted after the drawing.
-  const counts = () => page.evaluate(async () => {
-    await window.studio.view.drawn();
-    return window.studio.view.counts;
-  });
+  const counts = () =>
+    page.evaluate(async () => {
+      await window.studio.view.drawn();
+      return window.studio.view.counts;
+    });
   const first = await counts();
   for (let k = 0; k < 5; k += 1) await step(page, () => type_into(page, field(page, 'size'), `0.1${k + 3}`));
   const later = await counts();
-  for (const name of ['meshes', 'instance_sets', 'batches', 'geometries', 'materials', 'pictures']) assert.ok(later[name] <= first[name] + 1, `${name}: ${first[name]} ${later[name]}`);
+  for (const name of ['meshes', 'instance_sets', 'batches', 'geometries', 'materials', 'pictures'])
+    assert.ok(later[name] <= first[name] + 1, `${name}: ${first[name]} ${later[name]}`);
   const packets = await page.evaluate(() => {
     const lost = document.querySelector('.view canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
     lost.loseContext();
@@ -427,7 +478,9 @@ test('a colour edit crosses in under 2 KB', async () => {
 });
 
 test('texts of a document are shown as texts', async () => {
-  const evil = kSmall.replace('"Sapling"', '"<img src=x onerror=window.harm=1>"').replace('Length of the leaves.', '<script>window.harm=1</script>');
+  const evil = kSmall
+    .replace('"Sapling"', '"<img src=x onerror=window.harm=1>"')
+    .replace('Length of the leaves.', '<script>window.harm=1</script>');
   await write_document(place.folder, 'evil.json', evil);
   await open_file(page, 'evil.json');
   assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), '<img src=x onerror=window.harm=1>');
@@ -438,8 +491,15 @@ test('all has room on small and large screens, and can be read in both themes', 
   const axe = await readFile(kAxe, 'utf8');
   await open_file(page, 'small.json');
   await choose(page, 'leaf');
-  const panels = [['growth', 's'], ['timeline', 'k'], ['board', 'b']]; // what a key opens over or beside the view, and closes
-  for (const [width, height] of [[2560, 1440], [1280, 720]]) {
+  const panels = [
+    ['growth', 's'],
+    ['timeline', 'k'],
+    ['board', 'b'],
+  ]; // what a key opens over or beside the view, and closes
+  for (const [width, height] of [
+    [2560, 1440],
+    [1280, 720],
+  ]) {
     await page.setViewportSize({ width, height });
     for (const colorScheme of ['dark', 'light']) {
       await page.emulateMedia({ colorScheme });
@@ -453,7 +513,9 @@ test('all has room on small and large screens, and can be read in both themes', 
       }
     }
   }
-  const wrong = await page.addStyleTag({ content: '.view-axes { right: auto; left: 12px; } .top-bar h1 { font-size: 9px; }' });
+  const wrong = await page.addStyleTag({
+    content: '.view-axes { right: auto; left: 12px; } .top-bar h1 { font-size: 9px; }',
+  });
   const faults = (await box_faults(page)).join('\n');
   assert.match(faults, /one over the other: div\.view-tools.*view-axes/);
   assert.match(faults, /tiny: span.*"Sapling"/);
@@ -461,7 +523,10 @@ test('all has room on small and large screens, and can be read in both themes', 
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST|Failed to load resource|Refused to/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST|Failed to load resource|Refused to/i.test(fault)),
+    [],
+  );
 });
 
 test('first visit: the oak is there with three hints', async () => {
@@ -474,4 +539,3 @@ test('first visit: the oak is there with three hints', async () => {
   await fresh.close();
   await lone.stop();
 });
-

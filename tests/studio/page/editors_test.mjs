@@ -8,7 +8,18 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, leave_fields, open_file, pick, point_at, row, step, type_into, undo_all } from './hands.mjs';
-import { kSource, open_page, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  kSource,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  still,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kShapes = `{
   "meristem": 1, // shapes of all forms
@@ -41,7 +52,8 @@ after(async () => {
   await place?.remove();
 });
 
-const said = (component) => page.evaluate((name) => window.studio.document.state.get().tree.value.components[name], component);
+const said = (component) =>
+  page.evaluate((name) => window.studio.document.state.get().tree.value.components[name], component);
 const drawer = () => page.locator('.drawer');
 
 /// Opens a row's editor large, below the view.
@@ -109,7 +121,8 @@ test('the outline of a leaf stays within the limits of its two numbers, which ar
   await open_file(page, 'lobed.json');
   await enlarge('leaf', 'polygon');
   const widest = drawer().locator('.curve-point').nth(1);
-  for (const name of ['x-low', 'x-high']) assert.equal(await drawer().locator(`[data-limit="${name}"]`).count(), 1, name);
+  for (const name of ['x-low', 'x-high'])
+    assert.equal(await drawer().locator(`[data-limit="${name}"]`).count(), 1, name);
   await one_step(() => drag(page, widest, [400, 0], { steps: 12 }));
   assert.equal((await said('leaf')).polygon[1][0], 1, 'the largest half width');
   await one_step(() => drag(page, drawer().locator('.curve-point').nth(2), [12, 0])); // the fields show the point that was moved last
@@ -154,7 +167,7 @@ test('an axis in space is seen from two sides, and a hand moves two of three num
   const planes = drawer().locator('svg.plane');
   assert.equal(await planes.count(), 2);
   await one_step(() => drag(page, planes.nth(0).locator('.curve-point').nth(1), [20, 0], { steps: 8 }));
-  let [, [x, y, z]] = (await said('stem')).axis;
+  const [, [x, y, z]] = (await said('stem')).axis;
   assert.ok(x > 0.2 && Math.abs(y - 0.5) < 0.05 && z === 0, `${x} ${y} ${z}`);
   await one_step(() => drag(page, planes.nth(1).locator('.curve-point').nth(1), [-20, 0], { steps: 8 }));
   const moved = (await said('stem')).axis[1];
@@ -228,13 +241,18 @@ test('pictures that the document names are seen in their rows and in the list of
   await one_step(() => page.getByRole('dialog').locator('.file', { hasText: 'bark.png' }).click());
   assert.equal((await said('leaf')).texture.picture.colour, 'bark.png');
   await file.locator('img.thumbnail').waitFor();
-  const { naturalWidth } = await file.locator('img.thumbnail').evaluate((image) => ({ naturalWidth: image.naturalWidth }));
+  const { naturalWidth } = await file
+    .locator('img.thumbnail')
+    .evaluate((image) => ({ naturalWidth: image.naturalWidth }));
   assert.ok(naturalWidth > 0 && naturalWidth <= 96);
   await all_back();
 });
 
 test('a list of colours is had large: moved, added, taken out and picked by hand and by keys', async () => {
-  const text = kShapes.replace('"omit": [1]', '"omit": [1], "colours": ["#203010", "#557733", "#aabb66"], "colour_at": "i/n"');
+  const text = kShapes.replace(
+    '"omit": [1]',
+    '"omit": [1], "colours": ["#203010", "#557733", "#aabb66"], "colour_at": "i/n"',
+  );
   await write_document(place.folder, 'colours.json', text);
   await open_file(page, 'colours.json');
   await enlarge('leaf', 'colours');
@@ -288,16 +306,24 @@ test('a picture is had large, with the pictures of the folder beside it', async 
 });
 
 test('rows that exclude each other: setting one removes the other, as one step', async () => {
-  const text = kShapes.replace('"stem": {"type": "tree"', '"apple": {"type": "organize", "iterations": 3, "operations": [{"do": "cut", "at": 2, "shoots": "leader", "above": 4}]},\n    "stem": {"type": "tree"').replace('["view", "rod"]', '["view", "apple"], ["view", "rod"]');
+  const text = kShapes
+    .replace(
+      '"stem": {"type": "tree"',
+      '"apple": {"type": "organize", "iterations": 3, "operations": [{"do": "cut", "at": 2, "shoots": "leader", "above": 4}]},\n    "stem": {"type": "tree"',
+    )
+    .replace('["view", "rod"]', '["view", "apple"], ["view", "rod"]');
   await write_document(place.folder, 'apple.json', text);
   await open_file(page, 'apple.json');
   await choose(page, 'apple');
-  for (const at of ['operations', 'operations[0]']) await page.locator(`[data-path="components.apple.${at}"] > .fold-head > .fold-title`).click();
+  for (const at of ['operations', 'operations[0]'])
+    await page.locator(`[data-path="components.apple.${at}"] > .fold-head > .fold-title`).click();
   const operation = async () => (await said('apple')).operations[0];
   const lateral = row(page, 'components.apple.operations[0].above_lateral');
   await one_step(() => type_into(page, lateral.getByRole('textbox').first(), '3'));
   assert.deepEqual(await operation(), { do: 'cut', at: 2, shoots: 'leader', above_lateral: 3 });
-  await one_step(() => type_into(page, row(page, 'components.apple.operations[0].from').getByRole('textbox').first(), '2'));
+  await one_step(() =>
+    type_into(page, row(page, 'components.apple.operations[0].from').getByRole('textbox').first(), '2'),
+  );
   assert.deepEqual(await operation(), { do: 'cut', shoots: 'leader', above_lateral: 3, from: 2 });
   // Also if a value below a row is given for the first time.
   await page.locator('[data-path="components.apple.operations[0].to_bud"] > .fold-head > .fold-title').click();
@@ -324,14 +350,28 @@ test('the large editor goes with Escape and with what it edits', async () => {
 test('axe finds nothing serious in the editors, light and dark', async () => {
   for (const theme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: theme });
-    for (const [component, name] of [['stem', 'taper'], ['stem', 'axis'], ['rod', 'outline'], ['cup', 'silhouette'], ['leaf', 'colour'], ['leaf', 'omit']]) {
+    for (const [component, name] of [
+      ['stem', 'taper'],
+      ['stem', 'axis'],
+      ['rod', 'outline'],
+      ['cup', 'silhouette'],
+      ['leaf', 'colour'],
+      ['leaf', 'omit'],
+    ]) {
       await enlarge(component, name);
-      assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], `${theme}, ${component}.${name}`);
+      assert.deepEqual(
+        await serious_faults(page, { colours_only: theme === 'dark' }),
+        [],
+        `${theme}, ${component}.${name}`,
+      );
     }
   }
   await page.emulateMedia({ colorScheme: null });
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

@@ -18,7 +18,12 @@ export async function put_documents(folder) {
   await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(folder, 'fuzz/corpus/image/rgba.png'));
   await cp(kMore, path.join(folder, 'rows'), { recursive: true });
   const names = (await readdir(path.join(folder, 'rows'))).filter((one) => one.endsWith('.json')).sort();
-  return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse((await readFile(path.join(folder, 'rows', name), 'utf8')).replace(/(^|\s)\/\/.*$/gm, '')) })));
+  return Promise.all(
+    names.map(async (name) => ({
+      name: `rows/${name}`,
+      said: JSON.parse((await readFile(path.join(folder, 'rows', name), 'utf8')).replace(/(^|\s)\/\/.*$/gm, '')),
+    })),
+  );
 }
 
 /// The owners of rows with their tables: component types, the rows of all components, links, parts of the document.
@@ -42,10 +47,13 @@ function subjects_of(document, tables) {
   const owners = owners_of(tables);
   const { components = {}, links = [] } = document.said;
   const found = [];
-  const add = (title, at, said, ...names) => found.push({ title, at, said, tables: names.map((owner) => ({ owner, rows: owners[owner]?.rows ?? [] })) });
+  const add = (title, at, said, ...names) =>
+    found.push({ title, at, said, tables: names.map((owner) => ({ owner, rows: owners[owner]?.rows ?? [] })) });
   for (const [id, said] of Object.entries(components)) add(id, `components.${id}`, said, said.type, 'every component');
-  for (const [k, said] of links.entries()) if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
-  for (const part of ['scene', 'output', 'limits']) if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
+  for (const [k, said] of links.entries())
+    if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
+  for (const part of ['scene', 'output', 'limits'])
+    if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
   add('Document', '', document.said, 'document');
   // Links may have equal names; then the first in the outline is taken.
   return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
@@ -59,13 +67,25 @@ function* given_rows(tables, rows, said, at, folds) {
     const value = said[row.name];
     if (value === undefined || row.name === 'type') continue;
     const here = below(at, row.name);
-    const is_written_out = !kNested.includes(row.kind) || (row.kind === 'list' ? Array.isArray(value) : is_object(value));
+    const is_written_out =
+      !kNested.includes(row.kind) || (row.kind === 'list' ? Array.isArray(value) : is_object(value));
     if (!is_written_out) continue; // in short form, as a number instead of an object
     yield { row, value, at: here, folds };
     const inside = [...folds, here];
     if (row.kind === 'object') yield* given_rows(tables, tables.tables[row.table].rows, value, here, inside);
-    if (row.kind === 'map') for (const [name, one] of Object.entries(value)) if (is_object(one)) yield* given_rows(tables, tables.tables[row.table].rows, one, below(here, name), [...inside, below(here, name)]);
-    if (row.kind === 'list') for (const [k, one] of value.entries()) yield* given_rows(tables, table_of_element(tables, row, one).rows, one, below(here, k), [...inside, below(here, k)]);
+    if (row.kind === 'map')
+      for (const [name, one] of Object.entries(value))
+        if (is_object(one))
+          yield* given_rows(tables, tables.tables[row.table].rows, one, below(here, name), [
+            ...inside,
+            below(here, name),
+          ]);
+    if (row.kind === 'list')
+      for (const [k, one] of value.entries())
+        yield* given_rows(tables, table_of_element(tables, row, one).rows, one, below(here, k), [
+          ...inside,
+          below(here, k),
+        ]);
   }
 }
 
@@ -79,7 +99,11 @@ function rows_of(document, tables) {
         const key = `${owner}: ${found.row.kind}`;
         // Lines that are written as one text are read back as lines.
         const is_odd = found.row.kind === 'lines' && !Array.isArray(found.value);
-        const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (is_odd ? 1000 : 0);
+        const cost =
+          JSON.stringify(found.value).length +
+          20 * found.folds.length +
+          (found.row.required ? 200 : 0) +
+          (is_odd ? 1000 : 0);
         if (cost < (best.get(key)?.cost ?? Infinity)) best.set(key, { key, cost, document, subject, ...found });
       }
     }
@@ -93,12 +117,12 @@ export function chosen_rows(documents, tables, wanted) {
   const given = documents.map((document) => [...rows_of(document, tables).values()]);
   const chosen = new Map();
   const kinds = new Set();
-  const take = (is_news) => {
+  const take = (is_new) => {
     for (;;) {
-      const news = given.map((rows) => rows.filter(is_news));
-      const most = news.reduce((a, b) => (b.length > a.length ? b : a));
-      if (most.length === 0) return;
-      for (const one of most) {
+      const new_rows = given.map((rows) => rows.filter(is_new));
+      const longest = new_rows.reduce((a, b) => (b.length > a.length ? b : a));
+      if (longest.length === 0) return;
+      for (const one of longest) {
         chosen.set(one.key, one);
         kinds.add(one.row.kind);
       }
@@ -115,7 +139,10 @@ export async function set_rows(page, rows, tables) {
   const faults = [];
   for (const { key, subject, row, value, at, folds } of rows) {
     try {
-      await page.locator('.outline-choice', { has: page.getByText(subject.title, { exact: true }) }).first().click();
+      await page
+        .locator('.outline-choice', { has: page.getByText(subject.title, { exact: true }) })
+        .first()
+        .click();
       for (const fold of folds) await unfold(page, fold);
       await at_path(page, at).waitFor({ timeout: 5000 });
       await hand.give_anew(at, row, value);
@@ -129,8 +156,15 @@ export async function set_rows(page, rows, tables) {
 /// Opens a document of the list. Its plant need not grow.
 export async function open_document(page, name) {
   await page.keyboard.press('Control+o');
-  for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
-  await page.waitForFunction((path) => window.studio.document.state.get().path === path && document.querySelector('dialog') === null, name);
+  for (const one of name.split('/'))
+    await page
+      .getByRole('dialog')
+      .locator('.file', { has: page.getByText(one, { exact: true }) })
+      .click();
+  await page.waitForFunction(
+    (path) => window.studio.document.state.get().path === path && document.querySelector('dialog') === null,
+    name,
+  );
 }
 
 /// Saves the open document and checks it by the program.

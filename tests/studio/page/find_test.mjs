@@ -6,7 +6,17 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, field, leave_fields, open_file, open_model, row, step, type_into, undo_all } from './hands.mjs';
-import { frames, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  frames,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kSmall = `{
   "meristem": 1,
@@ -39,7 +49,12 @@ after(async () => {
   await place?.remove();
 });
 
-const pictures = (where, count) => page.waitForFunction(([selector, wanted]) => document.querySelectorAll(`${selector} img.still:not(.old)`).length === wanted, [where, count], { timeout: 60000 });
+const pictures = (where, count) =>
+  page.waitForFunction(
+    ([selector, wanted]) => document.querySelectorAll(`${selector} img.still:not(.old)`).length === wanted,
+    [where, count],
+    { timeout: 60000 },
+  );
 const sources = (where) => page.locator(`${where} img.still`).evaluateAll((all) => all.map((one) => one.src));
 
 async function all_back() {
@@ -65,7 +80,9 @@ test('a strip shows five plants over the usual range of a row; a click takes a v
   // The strip shows all other changes, too.
   await step(page, () => type_into(page, field(page, 'size'), '0.2'));
   await pictures('.strip', 5);
-  await page.waitForFunction((before) => document.querySelector('.strip img.still')?.src !== before, first[0], { timeout: 20000 });
+  await page.waitForFunction((before) => document.querySelector('.strip img.still')?.src !== before, first[0], {
+    timeout: 20000,
+  });
   await all_back();
 });
 
@@ -101,7 +118,10 @@ test('of a range the middle moves and the width stays; an expression gives way t
   await curl.scrollIntoViewIfNeeded();
   await curl.hover();
   await curl.getByRole('button', { name: 'Plants over curl' }).click();
-  assert.match(await page.locator('.strip button').first().getAttribute('data-tip'), /a number in place of the expression bend \+ 5/);
+  assert.match(
+    await page.locator('.strip button').first().getAttribute('data-tip'),
+    /a number in place of the expression bend \+ 5/,
+  );
   await step(page, () => page.locator('.strip button').nth(1).click());
   assert.equal(typeof (await leaf()).curl, 'number');
   await leave_fields(page);
@@ -132,7 +152,13 @@ test('nine by chance: locked handles stay, and one is taken as one step', async 
   const before_it = await sources('.nine');
   assert.ok(new Set(before_it).size > 5);
   await page.getByRole('button', { name: 'Nine others' }).click();
-  await page.waitForFunction((known) => document.querySelectorAll('.nine img.still:not(.old)').length === 9 && document.querySelector('.nine img.still').src !== known, before_it[0], { timeout: 60000 });
+  await page.waitForFunction(
+    (known) =>
+      document.querySelectorAll('.nine img.still:not(.old)').length === 9 &&
+      document.querySelector('.nine img.still').src !== known,
+    before_it[0],
+    { timeout: 60000 },
+  );
   const tip = await page.locator('.nine button').nth(4).getAttribute('data-tip');
   assert.match(tip, /^bend [\d.]+$/);
   await step(page, () => page.locator('.nine button').nth(4).click());
@@ -161,9 +187,13 @@ test('two states are pinned beside the present one and seen from its side; one i
   await leave_fields(page);
   await page.keyboard.press('p');
   assert.equal(await page.locator('.pinned').count(), 2);
-  await page.waitForFunction(() => document.querySelectorAll('.pinned .view-note').length === 0, null, { timeout: 60000 });
+  await page.waitForFunction(() => document.querySelectorAll('.pinned .view-note').length === 0, null, {
+    timeout: 60000,
+  });
   assert.ok(await page.getByRole('button', { name: 'Two states are pinned' }).isDisabled());
-  const widths = await page.locator('.pinned, .views > .view').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
+  const widths = await page
+    .locator('.pinned, .views > .view')
+    .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
   assert.ok(Math.max(...widths) - Math.min(...widths) < 2, widths.join(' '));
   // Turning one view turns all views.
   const azimuth = () => page.evaluate(() => window.studio.view.orbit.azimuth);
@@ -188,7 +218,9 @@ test('two states are pinned beside the present one and seen from its side; one i
   assert.equal(await text_of(page), kSmall);
   assert.equal(await undo_count(page), 2);
   await page.evaluate(() => {
-    window.pinned_contexts = [...document.querySelectorAll('.pinned canvas')].map((one) => new WeakRef(one.getContext('webgl2')));
+    window.pinned_contexts = [...document.querySelectorAll('.pinned canvas')].map(
+      (one) => new WeakRef(one.getContext('webgl2')),
+    );
   });
   for (const name of ['A', 'B']) await page.getByRole('button', { name: `Let state ${name} go` }).click();
   assert.equal(await page.locator('.pinned').count(), 0);
@@ -205,7 +237,12 @@ test('a shipped plant that reads files beside it is pinned as it is', async () =
   await open_model(page, 'oak');
   await leave_fields(page);
   await page.keyboard.press('p');
-  await page.waitForFunction(() => document.querySelectorAll('.pinned').length === 1 && document.querySelectorAll('.pinned .view-note').length === 0, null, { timeout: 90000 });
+  await page.waitForFunction(
+    () =>
+      document.querySelectorAll('.pinned').length === 1 && document.querySelectorAll('.pinned .view-note').length === 0,
+    null,
+    { timeout: 90000 },
+  );
   await page.getByRole('button', { name: 'Let state A go' }).click();
 });
 
@@ -225,5 +262,8 @@ test('axe finds nothing serious, light and dark', async () => {
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST/i.test(fault)),
+    [],
+  );
 });

@@ -7,7 +7,17 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { leave_fields, open_file, step, undo_all } from './hands.mjs';
-import { open_page, set_theme, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  open_page,
+  set_theme,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const document_of = (grammar, more = '') => `{
   "meristem": 1,
@@ -45,10 +55,14 @@ const word = async () => (await told()).modules.join('');
 
 /// Waits for the derivation of a step.
 async function derived(count) {
-  await page.waitForFunction((wanted) => {
-    const { told: now, is_working } = window.studio.bench.derivation.state.get();
-    return !is_working && now?.step === wanted;
-  }, count, { timeout: 20000 });
+  await page.waitForFunction(
+    (wanted) => {
+      const { told: now, is_working } = window.studio.bench.derivation.state.get();
+      return !is_working && now?.step === wanted;
+    },
+    count,
+    { timeout: 20000 },
+  );
 }
 
 test('the word of the document is told, with its counts', async () => {
@@ -70,7 +84,10 @@ test('a derivation goes step by step, and the plant with it; the document stays'
   await page.getByRole('button', { name: 'A step on' }).click();
   await derived(1);
   assert.equal(await word(), 'F[+A][-A]FA');
-  await page.waitForFunction((all) => window.studio.growth.get().shown.triangles < all && !window.studio.growth.get().working, whole);
+  await page.waitForFunction(
+    (all) => window.studio.growth.get().shown.triangles < all && !window.studio.growth.get().working,
+    whole,
+  );
   await page.keyboard.press('PageUp');
   await derived(2);
   assert.equal(await word(), 'FF[+F[+A][-A]FA][-F[+A][-A]FA]FFF[+A][-A]FA');
@@ -152,7 +169,17 @@ test('the module under the pointer is marked in word and picture', async () => {
 test('a click in the view chooses the instance whose word is told', async () => {
   const three = JSON.stringify({
     meristem: 1,
-    components: { ring: { type: 'hydra', number: 3, radius: 1 }, weed: { type: 'lsystem', steps: 4, length: 0.2, angle: 30, width: 0.05, grammar: ['F', '#rules', 'F : 1 -> F[+F]F', 'F : 1 -> F[-F]FF'] } },
+    components: {
+      ring: { type: 'hydra', number: 3, radius: 1 },
+      weed: {
+        type: 'lsystem',
+        steps: 4,
+        length: 0.2,
+        angle: 30,
+        width: 0.05,
+        grammar: ['F', '#rules', 'F : 1 -> F[+F]F', 'F : 1 -> F[-F]FF'],
+      },
+    },
     links: [['ring', 'weed']],
   });
   await write_document(place.folder, 'three.json', three);
@@ -171,7 +198,9 @@ test('a click in the view chooses the instance whose word is told', async () => 
   assert.equal(words.size, 3);
   const [x, y] = await page.evaluate(() => {
     const { places } = window.studio.bench.derivation.state.get().told;
-    const [left, top] = window.studio.view.eye.project([1, 2, 3].map((k) => places[k] + 0.3 * (places[k + 3] - places[k])));
+    const [left, top] = window.studio.view.eye.project(
+      [1, 2, 3].map((k) => places[k] + 0.3 * (places[k + 3] - places[k])),
+    );
     const box = document.querySelector('.centre .view canvas').getBoundingClientRect();
     return [box.left + left, box.top + top];
   });
@@ -179,14 +208,17 @@ test('a click in the view chooses the instance whose word is told', async () => 
   await page.getByRole('button', { name: 'Instance before' }).click();
   await page.waitForFunction(() => window.studio.bench.derivation.state.get().told?.instance?.number === 1);
   await page.mouse.click(x, y);
-  await page.waitForFunction((wanted) => window.studio.bench.derivation.state.get().told?.instance?.key === wanted, key);
+  await page.waitForFunction(
+    (wanted) => window.studio.bench.derivation.state.get().told?.instance?.key === wanted,
+    key,
+  );
   assert.match(await page.locator('.derivation-instance').innerText(), /Instance 3 of 3/);
   await open_file(page, 'weed.json');
   await derived(3);
 });
 
 test('typing in a grammar of 20 kB loses no key', async () => {
-  const rules = Array.from({ length: 900 }, (_, k) => `B(x) : x == ${k} -> F(${k % 7 + 1})B(x+1)`);
+  const rules = Array.from({ length: 900 }, (_, k) => `B(x) : x == ${k} -> F(${(k % 7) + 1})B(x+1)`);
   const long = [...kWeed, ...rules];
   assert.ok(long.join('\n').length > 20_000);
   await write_document(place.folder, 'long.json', document_of(long));
@@ -204,7 +236,14 @@ test('typing in a grammar of 20 kB loses no key', async () => {
   assert.equal(line, characters);
   assert.deepEqual((await grammar()).slice(0, -1), wanted);
   await settled(page);
-  assert.equal(await page.evaluate(() => window.studio.document.state.get().hash), await page.evaluate(async () => (await window.studio.connection.request('splice', { base: window.studio.document.state.get().hash, patch: [] })).hash));
+  assert.equal(
+    await page.evaluate(() => window.studio.document.state.get().hash),
+    await page.evaluate(
+      async () =>
+        (await window.studio.connection.request('splice', { base: window.studio.document.state.get().hash, patch: [] }))
+          .hash,
+    ),
+  );
   await leave_fields(page);
   await undo_all(page);
   assert.equal(await text_of(page), document_of(long));
@@ -217,7 +256,9 @@ test('keys typed while an edit is on its way come after it', async () => {
   // The inspector's edit and the keys happen at the same time.
   await page.evaluate(() => void window.studio.edit([{ set: 'components.weed.angle', value: 41 }], 'Set angle'));
   await page.keyboard.type('G+G-G');
-  await page.waitForFunction(() => !window.studio.document.awaits_typed && Object.keys(window.studio.dragged.get()).length === 0);
+  await page.waitForFunction(
+    () => !window.studio.document.awaits_typed && Object.keys(window.studio.dragged.get()).length === 0,
+  );
   assert.equal((await grammar()).at(-1), 'F -> FFG+G-G');
   assert.match(await text_of(page), /"angle": 41/);
   await leave_fields(page);
@@ -250,5 +291,8 @@ test('axe finds nothing serious in the grammar, light and dark', async () => {
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

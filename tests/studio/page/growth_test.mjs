@@ -6,7 +6,16 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { open_file } from './hands.mjs';
-import { kAxe, open_page, settled, start_browser, start_server, temporary_folder, text_of, write_document } from './support.mjs';
+import {
+  kAxe,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  write_document,
+} from './support.mjs';
 
 const kTree = `{
   "meristem": 1, "seed": 4,
@@ -54,7 +63,11 @@ const slider = () => page.getByRole('slider', { name: 'Step of growth' });
 
 /// Waits until a step is shown with its overlays.
 async function shown(step) {
-  await page.waitForFunction((wanted) => window.studio.growth.get().grown?.step === wanted && window.studio.growth.get().grown.steps !== null, step, { timeout: 20000 });
+  await page.waitForFunction(
+    (wanted) => window.studio.growth.get().grown?.step === wanted && window.studio.growth.get().grown.steps !== null,
+    step,
+    { timeout: 20000 },
+  );
   await settled(page);
 }
 
@@ -102,13 +115,23 @@ test('step 12 of 18 equals a document with 12 iterations', async () => {
   for (let k = 0; k < 6; ++k) await page.keyboard.press('ArrowLeft');
   await shown(12);
   const of_step = (await grown()).nodes;
-  const bounds = await page.evaluate(() => [window.studio.view.bounds.min.toArray(), window.studio.view.bounds.max.toArray()]);
+  const bounds = await page.evaluate(() => [
+    window.studio.view.bounds.min.toArray(),
+    window.studio.view.bounds.max.toArray(),
+  ]);
   await page.keyboard.press('s');
   await page.evaluate(() => window.studio.edit([{ set: 'tree.iterations', value: 12 }], 'Fewer iterations'));
-  await page.waitForFunction(() => window.studio.growth.get().grown?.steps === null && window.studio.document.state.get().text.includes('"iterations": 12'));
+  await page.waitForFunction(
+    () =>
+      window.studio.growth.get().grown?.steps === null &&
+      window.studio.document.state.get().text.includes('"iterations": 12'),
+  );
   await settled(page);
   assert.equal((await grown()).nodes, of_step);
-  const again = await page.evaluate(() => [window.studio.view.bounds.min.toArray(), window.studio.view.bounds.max.toArray()]);
+  const again = await page.evaluate(() => [
+    window.studio.view.bounds.min.toArray(),
+    window.studio.view.bounds.max.toArray(),
+  ]);
   assert.deepEqual(again, bounds);
 });
 
@@ -120,7 +143,11 @@ test('the plants of a garden go through their steps side by side, or those of on
   await shown(18);
   const whole = (await grown()).nodes;
   const of = page.getByRole('combobox', { name: 'Steps of' });
-  assert.deepEqual(await of.locator('option').allInnerTexts(), ['all plants, side by side (18)', 'fruit (18)', 'herb (3)']);
+  assert.deepEqual(await of.locator('option').allInnerTexts(), [
+    'all plants, side by side (18)',
+    'fruit (18)',
+    'herb (3)',
+  ]);
   await page.getByRole('button', { name: 'A step back' }).click();
   await shown(17);
   const reuse = (await grown()).reuse.find(({ what }) => what === 'placed plants');
@@ -148,6 +175,9 @@ test('closing takes all away; axe finds nothing serious in the open panel', asyn
   await page.evaluate(await readFile(kAxe, 'utf8'));
   const found = await page.evaluate(() => window.axe.run('.growth-panel'));
   const serious = found.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), []);
+  assert.deepEqual(
+    serious.map(({ id, nodes }) => [id, nodes[0].html]),
+    [],
+  );
   assert.deepEqual(page.faults, []);
 });

@@ -15,7 +15,11 @@ export async function leave_fields(page) {
 /// Chooses a file of the server's folder in the dialog.
 export async function choose_from_files(page, name) {
   await page.getByRole('button', { name: 'Open a file' }).click();
-  for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
+  for (const one of name.split('/'))
+    await page
+      .getByRole('dialog')
+      .locator('.file', { has: page.getByText(one, { exact: true }) })
+      .click();
   await page.getByRole('dialog').waitFor({ state: 'detached' });
 }
 
@@ -27,7 +31,11 @@ export async function open_file(page, name) {
     ([path, known]) => {
       const { studio } = window;
       const { path: open, good } = studio.document.state.get();
-      return open === path && (!good || studio.connection.counts.packets > known) && studio.document.state.get().undo.done.length === 0;
+      return (
+        open === path &&
+        (!good || studio.connection.counts.packets > known) &&
+        studio.document.state.get().undo.done.length === 0
+      );
     },
     [name, packets],
   );
@@ -60,8 +68,10 @@ async function saves(page, act, answer) {
   const outcome = async () => {
     const found = await page.waitForFunction((known) => {
       const { toasts, shell } = window.studio;
-      const news = toasts.shown.get().find(({ id, text, is_fault }) => id > known && (is_fault || text.startsWith('Saved ')));
-      if (news) return news.text;
+      const message = toasts.shown
+        .get()
+        .find(({ id, text, is_fault }) => id > known && (is_fault || text.startsWith('Saved ')));
+      if (message) return message.text;
       return shell.get().conflict && 'conflict';
     }, last);
     return found.jsonValue();
@@ -90,7 +100,11 @@ export async function save_as(page, name, answer = 'Save anyway') {
   await leave_fields(page);
   await page.keyboard.press('Control+Shift+s');
   const dialog = page.getByRole('dialog');
-  const is_saved = await saves(page, () => type_into(page, dialog.getByRole('textbox', { name: 'Name' }), name), answer);
+  const is_saved = await saves(
+    page,
+    () => type_into(page, dialog.getByRole('textbox', { name: 'Name' }), name),
+    answer,
+  );
   await dialog.waitFor({ state: 'detached' });
   return is_saved;
 }
@@ -100,13 +114,20 @@ export async function open_model(page, name) {
   await leave_fields(page);
   await page.keyboard.press('Control+m');
   await page.locator(`[data-model="${name}"]`).click();
-  await page.waitForFunction((wanted) => window.studio.document.state.get().model === wanted && window.studio.growth.get().shown, name, { timeout: patient(60_000) });
+  await page.waitForFunction(
+    (wanted) => window.studio.document.state.get().model === wanted && window.studio.growth.get().shown,
+    name,
+    { timeout: patient(60_000) },
+  );
   await settled(page);
 }
 
 /// Chooses an entry of the outline by its title: a component, a link, a part of the document.
 export async function choose(page, title) {
-  await page.locator('.outline-choice').filter({ has: page.locator('.outline-title', { hasText: new RegExp(`^${title}$`) }) }).click();
+  await page
+    .locator('.outline-choice')
+    .filter({ has: page.locator('.outline-title', { hasText: new RegExp(`^${title}$`) }) })
+    .click();
 }
 
 /// Replaces the text of a field, and confirms it.
@@ -127,7 +148,12 @@ export async function point_at(page, target, across = 0.5, down = 0.5) {
 }
 
 /// Holds the mouse on an element and moves it in steps of whole pixels.
-export async function drag(page, target, [right, down], { across = 0.5, from_top = 0.5, steps = 10, lets_go = true } = {}) {
+export async function drag(
+  page,
+  target,
+  [right, down],
+  { across = 0.5, from_top = 0.5, steps = 10, lets_go = true } = {},
+) {
   const { x, y } = await point_at(page, target, across, from_top);
   await page.mouse.down();
   for (let k = 1; k <= steps; k += 1) await page.mouse.move(x + (right * k) / steps, y + (down * k) / steps);
@@ -137,7 +163,10 @@ export async function drag(page, target, [right, down], { across = 0.5, from_top
 /// Picks an entry of the menu of a row.
 export async function pick(page, target, entry) {
   await target.hover();
-  await target.getByRole('button', { name: /^More for/ }).first().click();
+  await target
+    .getByRole('button', { name: /^More for/ })
+    .first()
+    .click();
   await page.getByRole('menuitem', { name: entry, exact: true }).click();
 }
 

@@ -31,10 +31,23 @@ async function hold_pictures(context) {
       beyond.send(message);
     });
     beyond.onMessage((message) => {
-      const head = typeof message === 'string' || message.toString('latin1', 0, 4) !== 'MSP1' ? null : JSON.parse(message.toString('utf8', 8, 8 + message.readUInt32LE(4)));
+      const head =
+        typeof message === 'string' || message.toString('latin1', 0, 4) !== 'MSP1'
+          ? null
+          : JSON.parse(message.toString('utf8', 8, 8 + message.readUInt32LE(4)));
       if (!limit.is_reached || !head || head.draft) return socket.send(message);
       limit.held.push(message);
-      socket.send(JSON.stringify({ is: 'failed', job: 'grow', hash: head.hash, faults: [], message: 'stopped after 60 seconds (job_seconds)', limit: 'job_seconds', continues: true }));
+      socket.send(
+        JSON.stringify({
+          is: 'failed',
+          job: 'grow',
+          hash: head.hash,
+          faults: [],
+          message: 'stopped after 60 seconds (job_seconds)',
+          limit: 'job_seconds',
+          continues: true,
+        }),
+      );
     });
   });
 }
@@ -83,7 +96,8 @@ test('a large plant shows a draft that stays at the time limit, and Continue goe
   const draft = await shown();
   assert.equal(draft.draft, true);
   assert.ok(draft.triangles > 1000);
-  if (process.env.MERISTEM_PICTURES) await page.screenshot({ path: path.join(process.env.MERISTEM_PICTURES, 'continue.png') });
+  if (process.env.MERISTEM_PICTURES)
+    await page.screenshot({ path: path.join(process.env.MERISTEM_PICTURES, 'continue.png') });
   const seen = await page.evaluate(() => window.seen.filter((one) => one.model === 'spruce'));
   assert.ok(seen.some((one) => one.components.length > 0));
   assert.ok(!seen.some((one) => one.components.includes('post')), 'the plant of the other document is not seen');
@@ -99,7 +113,10 @@ test('a large plant shows a draft that stays at the time limit, and Continue goe
 test('a document with faults shows nothing of the plant before it', async () => {
   await write_document(place.folder, 'faulty.json', '{"meristem": 1, "components": {"a": {"type": "nothing"}}}');
   await page.getByRole('button', { name: 'Open a file' }).click();
-  await page.getByRole('dialog').locator('.file', { has: page.getByText('faulty.json', { exact: true }) }).click();
+  await page
+    .getByRole('dialog')
+    .locator('.file', { has: page.getByText('faulty.json', { exact: true }) })
+    .click();
   await page.waitForFunction(() => window.studio.document.state.get().path === 'faulty.json');
   assert.deepEqual(await page.evaluate(() => window.studio.view.plant.components), []);
   assert.match(await note().textContent(), /there is no plant to show yet/);

@@ -6,7 +6,18 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { field, leave_fields, step, type_into, undo_all } from './hands.mjs';
-import { meristem, open_page, settled, start_browser, start_server, still, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  meristem,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  still,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kTree = `{
   "meristem": 1,
@@ -39,23 +50,33 @@ after(async () => {
 
 const measure = (name) => page.locator(`[data-measure="${name}"]`);
 const told = (name) => page.evaluate((one) => window.studio.bench.measures.state.get().told?.[one], name);
-const measured = () => page.waitForFunction(() => window.studio.bench.measures.state.get().told && !window.studio.bench.measures.state.get().is_working, null, { timeout: 30_000 });
+const measured = () =>
+  page.waitForFunction(
+    () => window.studio.bench.measures.state.get().told && !window.studio.bench.measures.state.get().is_working,
+    null,
+    { timeout: 30_000 },
+  );
 
 test('measures are those of the command line, and follow the document', async () => {
   await measured();
   const { stdout } = await meristem('measure', path.join(place.folder, 'tree.json'), '--json');
   const wanted = JSON.parse(stdout);
-  for (const name of ['height', 'leaf_count', 'stem_diameter', 'slenderness', 'triangles']) assert.equal(await told(name), wanted[name], name);
+  for (const name of ['height', 'leaf_count', 'stem_diameter', 'slenderness', 'triangles'])
+    assert.equal(await told(name), wanted[name], name);
   assert.match(await measure('height').innerText(), /2\s*m/);
   assert.match(await measure('height').locator('dt').getAttribute('data-tip'), /highest node/);
   await step(page, () => type_into(page, field(page, 'size'), '2.5'));
-  await page.waitForFunction(() => window.studio.bench.measures.state.get().told?.height === 2.5, null, { timeout: 30_000 });
+  await page.waitForFunction(() => window.studio.bench.measures.state.get().told?.height === 2.5, null, {
+    timeout: 30_000,
+  });
   await leave_fields(page);
   await undo_all(page);
 });
 
 test('a measure stands beside what was measured on real plants, with the source', async () => {
-  await page.waitForFunction(() => window.studio.bench.measures.state.get().told?.height === 2, null, { timeout: 30_000 });
+  await page.waitForFunction(() => window.studio.bench.measures.state.get().told?.height === 2, null, {
+    timeout: 30_000,
+  });
   const band = measure('slenderness').locator('.band');
   assert.match(await band.innerText(), /20–75, most city trees/);
   assert.match(await band.getAttribute('data-tip'), /McPherson/);
@@ -64,7 +85,11 @@ test('a measure stands beside what was measured on real plants, with the source'
 test('the light on the leaves is measured where it is asked for, with leaf area by height', async () => {
   assert.equal(await told('leaf_irradiance'), null);
   await page.getByRole('checkbox', { name: 'Light on the leaves' }).check();
-  await page.waitForFunction(() => typeof window.studio.bench.measures.state.get().told?.leaf_irradiance === 'number', null, { timeout: 30_000 });
+  await page.waitForFunction(
+    () => typeof window.studio.bench.measures.state.get().told?.leaf_irradiance === 'number',
+    null,
+    { timeout: 30_000 },
+  );
   await page.locator('.layers li').first().waitFor();
   const layers = await told('layers');
   const sum = layers.reduce((all, one) => all + one.leaf_area, 0);
@@ -101,7 +126,9 @@ test('axe finds nothing serious in the measures, light and dark', async () => {
       const { studio } = window;
       const { measures } = studio.bench;
       const { grown } = studio.growth.get();
-      return !measures.state.get().is_working && (measures.seen_.startsWith(grown.hash) || measures.called_off_ === grown);
+      return (
+        !measures.state.get().is_working && (measures.seen_.startsWith(grown.hash) || measures.called_off_ === grown)
+      );
     });
     await still(page);
     assert.deepEqual(await serious_faults(page, { colours_only: theme === 'dark' }), [], theme);
@@ -109,5 +136,8 @@ test('axe finds nothing serious in the measures, light and dark', async () => {
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

@@ -10,7 +10,7 @@ import { click_node, draw_link, open_board } from './board_hands.mjs';
 import { choose, open_file, open_model, point_at, retype, row } from './hands.mjs';
 import { kSource, open_page, start_browser, start_server, temporary_folder } from './support.mjs';
 
-export const kMostBytes = 250_000;
+export const kMaxBytes = 250_000;
 export const kFolder = path.join(kSource, 'docs/manual/studio');
 
 /// The content of each picture, and the actions that lead to it: from the oak, which is open at first, or from a small
@@ -65,7 +65,11 @@ export const kPictures = [
       await open_model(page, 'low-poly-birch');
       await page.getByRole('button', { name: 'Grammar', exact: true }).click();
       await page.getByRole('button', { name: 'A step back' }).click();
-      await page.waitForFunction(() => window.studio.bench.derivation.state.get().step !== null && !window.studio.bench.derivation.state.get().is_working);
+      await page.waitForFunction(
+        () =>
+          window.studio.bench.derivation.state.get().step !== null &&
+          !window.studio.bench.derivation.state.get().is_working,
+      );
     },
   },
   {
@@ -89,7 +93,9 @@ export const kPictures = [
       const handle = page.locator('.handle').first();
       await handle.hover();
       await handle.getByRole('button', { name: /^Plants over/ }).click();
-      await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length === 5, null, { timeout: 60_000 });
+      await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length === 5, null, {
+        timeout: 60_000,
+      });
     },
   },
   {
@@ -100,10 +106,15 @@ export const kPictures = [
       // Equal random numbers each time.
       await page.evaluate(() => {
         let state = 7;
-        Math.random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+        Math.random = () => {
+          state = (state * 16807) % 2147483647;
+          return state / 2147483647;
+        };
       });
       await page.keyboard.press('n');
-      await page.waitForFunction(() => document.querySelectorAll('.nine img.still').length === 9, null, { timeout: 60_000 });
+      await page.waitForFunction(() => document.querySelectorAll('.nine img.still').length === 9, null, {
+        timeout: 60_000,
+      });
     },
   },
   {
@@ -132,7 +143,11 @@ export const kPictures = [
       await page.getByRole('combobox', { name: 'Handle over which is measured' }).selectOption('age');
       await page.getByRole('button', { name: 'Measure', exact: true }).click();
       await page.locator('.plot circle').nth(8).waitFor({ timeout: 120_000 });
-      await page.waitForFunction(() => window.studio.bench.measures.state.get().told && !window.studio.bench.measures.state.get().is_working, null, { timeout: 60_000 });
+      await page.waitForFunction(
+        () => window.studio.bench.measures.state.get().told && !window.studio.bench.measures.state.get().is_working,
+        null,
+        { timeout: 60_000 },
+      );
     },
   },
   {
@@ -143,7 +158,9 @@ export const kPictures = [
     act: async (page) => {
       await page.keyboard.press('Control+m');
       await page.locator('.model img').first().waitFor();
-      await page.waitForFunction(() => [...document.querySelectorAll('.model img')].slice(0, 18).every((one) => one.complete));
+      await page.waitForFunction(() =>
+        [...document.querySelectorAll('.model img')].slice(0, 18).every((one) => one.complete),
+      );
     },
   },
   {
@@ -156,7 +173,11 @@ export const kPictures = [
       await open_board(page);
       await click_node(page, 'view');
       await page.keyboard.press('a');
-      await page.waitForFunction(() => [...document.querySelectorAll('.dialog .model img')].slice(0, 18).every((one) => one.complete && one.naturalWidth > 0));
+      await page.waitForFunction(() =>
+        [...document.querySelectorAll('.dialog .model img')]
+          .slice(0, 18)
+          .every((one) => one.complete && one.naturalWidth > 0),
+      );
     },
   },
   {
@@ -258,7 +279,15 @@ export const kPictures = [
     theme: 'dark',
     act: async (page) => {
       await open_model(page, 'box-hedge');
-      await choose(page, await page.evaluate(() => Object.entries(window.studio.document.state.get().tree.value.components).find(([, one]) => one.type === 'organize')[0]));
+      await choose(
+        page,
+        await page.evaluate(
+          () =>
+            Object.entries(window.studio.document.state.get().tree.value.components).find(
+              ([, one]) => one.type === 'organize',
+            )[0],
+        ),
+      );
       await show_grips(page, /^operation 3, outside, box/);
     },
   },
@@ -280,9 +309,37 @@ const kOwn = {
     meristem: 1,
     name: 'A tree beside a house',
     seed: 4,
-    scene: { latitude: 51.5, sun: { day: 141, hour: 10 }, obstacles: [{ name: 'house', box: [[1.1, 0, -1.6], [3.4, 2.4, 1.2]], colour: '#cfc4b2' }] },
+    scene: {
+      latitude: 51.5,
+      sun: { day: 141, hour: 10 },
+      obstacles: [
+        {
+          name: 'house',
+          box: [
+            [1.1, 0, -1.6],
+            [3.4, 2.4, 1.2],
+          ],
+          colour: '#cfc4b2',
+        },
+      ],
+    },
     components: {
-      tree: { type: 'colonize', crown: { profile: [[0.2, 1], [1, 1.5], [1.25, 2.3], [0.8, 3.2], [0, 3.6]] }, points: 900, step: 0.06, influence: 0.8, kill: 0.16 },
+      tree: {
+        type: 'colonize',
+        crown: {
+          profile: [
+            [0.2, 1],
+            [1, 1.5],
+            [1.25, 2.3],
+            [0.8, 3.2],
+            [0, 3.6],
+          ],
+        },
+        points: 900,
+        step: 0.06,
+        influence: 0.8,
+        kill: 0.16,
+      },
       leaf: { type: 'leaf', length: 0.09, width: 0.05, rows: 2, colours: ['#3f6b26', '#5c8a35'] },
     },
     links: [{ from: 'tree', to: 'leaf', kind: 'branch', density: 30, divergence: 137.5, where: 'radius < 0.012' }],
@@ -291,13 +348,19 @@ const kOwn = {
     meristem: 1,
     name: 'A young pear',
     seed: 3,
-    components: { pear: { type: 'organize', iterations: 11, resource: { alpha: 2.2 }, tip_radius: 0.006, colour: '#6b5b4a' } },
+    components: {
+      pear: { type: 'organize', iterations: 11, resource: { alpha: 2.2 }, tip_radius: 0.006, colour: '#6b5b4a' },
+    },
   },
 };
 
 /// Draws a picture in the best quality for its size, and returns its path.
 async function draw(browser, address, out, { name, theme, act }, scale) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, deviceScaleFactor: scale, colorScheme: theme });
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 760 },
+    deviceScaleFactor: scale,
+    colorScheme: theme,
+  });
   const page = await open_page(context, address);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await act(page);
@@ -306,7 +369,7 @@ async function draw(browser, address, out, { name, theme, act }, scale) {
   const file = path.join(out, `${name}.jpg`);
   for (let quality = 90; quality >= 50; quality -= 8) {
     await page.screenshot({ path: file, type: 'jpeg', quality, timeout: 120_000 });
-    if ((await stat(file)).size < kMostBytes) break;
+    if ((await stat(file)).size < kMaxBytes) break;
   }
   await context.close();
   return file;
@@ -316,14 +379,20 @@ async function draw(browser, address, out, { name, theme, act }, scale) {
 /// pictures.
 export async function draw_all(browser, out, { scale = 1, tell = () => undefined } = {}) {
   const place = await temporary_folder();
-  for (const [name, document] of Object.entries(kOwn)) await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
-  for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv']) await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
-  for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose']) await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
+  for (const [name, document] of Object.entries(kOwn))
+    await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
+  for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv'])
+    await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
+  for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose'])
+    await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
   const on_oak = await start_server(place.folder);
   const on_small = await start_server(place.folder, 'young-pear.json');
   await mkdir(out, { recursive: true });
   try {
-    for (const picture of kPictures) tell(await draw(browser, (picture.on_oak ? on_oak : on_small).address, out, picture, picture.has_many ? 1 : scale));
+    for (const picture of kPictures)
+      tell(
+        await draw(browser, (picture.on_oak ? on_oak : on_small).address, out, picture, picture.has_many ? 1 : scale),
+      );
   } finally {
     await Promise.all([on_oak.stop(), on_small.stop()]);
     await place.remove();
@@ -332,5 +401,7 @@ export async function draw_all(browser, out, { scale = 1, tell = () => undefined
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await start_browser();
-  await draw_all(browser, path.resolve(process.argv[2] ?? kFolder), { tell: (file) => console.log(file) }).finally(() => browser.close());
+  await draw_all(browser, path.resolve(process.argv[2] ?? kFolder), { tell: (file) => console.log(file) }).finally(() =>
+    browser.close(),
+  );
 }

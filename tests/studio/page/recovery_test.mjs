@@ -7,7 +7,17 @@ import process from 'node:process';
 import { after, before, test } from 'node:test';
 
 import { drag, field, leave_fields, open_file, retype, row, slider, type_into } from './hands.mjs';
-import { kept, open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, write_document } from './support.mjs';
+import {
+  kept,
+  open_page,
+  ready,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  write_document,
+} from './support.mjs';
 
 const kBush = `// A bush.
 {
@@ -35,7 +45,10 @@ before(async () => {
   await write_document(place.folder, 'bush.json', kBush);
   server = await start_server(place.folder, path.join(place.folder, 'bush.json'), '--port', '0');
   browser = await start_browser();
-  context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...(pictures ? { deviceScaleFactor: 1 } : {}) });
+  context = await browser.newContext({
+    viewport: { width: 1280, height: 720 },
+    ...(pictures ? { deviceScaleFactor: 1 } : {}),
+  });
   page = await open_page(context, server.address);
 });
 
@@ -52,7 +65,10 @@ test('edits without a server are kept, and given back to another tab of the next
   await type_into(page, field(page, 'bend'), '71');
   await drag(page, slider(page, 'size'), [60, 0], { across: 0.3 });
   // Only the library can add a component: this waits for it.
-  await page.evaluate(() => void window.studio.edit([{ insert: 'components.thorn', value: { type: 'leaf', length: 0.05 } }], 'Add a thorn'));
+  await page.evaluate(
+    () =>
+      void window.studio.edit([{ insert: 'components.thorn', value: { type: 'leaf', length: 0.05 } }], 'Add a thorn'),
+  );
   assert.match(await text_of(page), /"bend": \{"value": 71,/);
   assert.equal(await field(page, 'bend').inputValue(), '71');
   await picture(page, 'lost');
@@ -74,13 +90,21 @@ test('edits without a server are kept, and given back to another tab of the next
   assert.equal(/"size": \{"value": ([\d.]+)/.exec(restored)[1], /"size": \{"value": ([\d.]+)/.exec(text)[1]);
   // The work of the previous tab is offered only once.
   await kept(next);
-  assert.equal(await next.evaluate(async () => (await new Promise((done) => {
-    const asked = indexedDB.open('meristem-studio');
-    asked.onsuccess = () => {
-      const all = asked.result.transaction('slots').objectStore('slots').getAll();
-      all.onsuccess = () => done(all.result);
-    };
-  })).length), 1);
+  assert.equal(
+    await next.evaluate(
+      async () =>
+        (
+          await new Promise((done) => {
+            const asked = indexedDB.open('meristem-studio');
+            asked.onsuccess = () => {
+              const all = asked.result.transaction('slots').objectStore('slots').getAll();
+              all.onsuccess = () => done(all.result);
+            };
+          })
+        ).length,
+    ),
+    1,
+  );
   await gone.close();
 });
 
@@ -135,7 +159,10 @@ test('a file that is not UTF-8 says line and byte in the dialog, and the connect
   assert.equal(await page.evaluate(() => window.studio.server.get().link), 'open');
 });
 
-for (const [what, from, to] of [['a missing comma', '"max": 0.25},', '"max": 0.25}'], ['an unknown parameter', '"length": 1.5', '"lenght": 1.5']]) {
+for (const [what, from, to] of [
+  ['a missing comma', '"max": 0.25},', '"max": 0.25}'],
+  ['an unknown parameter', '"length": 1.5', '"lenght": 1.5'],
+]) {
   test(`with ${what} handles and rows work on the text, and the view says that its plant is the last one`, async () => {
     await open_file(page, 'bush.json');
     await leave_fields(page);
@@ -144,7 +171,9 @@ for (const [what, from, to] of [['a missing comma', '"max": 0.25},', '"max": 0.2
     const mark = page.locator('[data-mark="stale-plant"]');
     await mark.waitFor();
     await retype(page, '"value": 30', '"value": 35');
-    await page.waitForFunction(() => window.studio.document.state.get().variables.find((one) => one.name === 'bend')?.value === 35);
+    await page.waitForFunction(
+      () => window.studio.document.state.get().variables.find((one) => one.name === 'bend')?.value === 35,
+    );
     assert.equal(await field(page, 'bend').inputValue(), '35');
     await type_into(page, field(page, 'bend'), '72');
     await page.waitForFunction(() => window.studio.document.state.get().text.includes('"bend": {"value": 72,'));

@@ -23,7 +23,10 @@ export const said_in = (page) => page.evaluate(() => window.studio.document.stat
 /// Returns the value of the document at a path, or undefined.
 async function said_at(page, path) {
   const steps = [...path.matchAll(/"([^"]*)"|[^.[\]"]+/g)].map((one) => one[1] ?? one[0]);
-  const said = await page.evaluate((way) => JSON.stringify(way.reduce((value, step) => value?.[step], window.studio.document.state.get().tree.value)), steps);
+  const said = await page.evaluate(
+    (way) => JSON.stringify(way.reduce((value, step) => value?.[step], window.studio.document.state.get().tree.value)),
+    steps,
+  );
   return said === undefined ? undefined : JSON.parse(said);
 }
 
@@ -61,7 +64,8 @@ async function set_number(page, element, row, value) {
 
 async function set_vector(page, element, row, value) {
   const names = row.kind === 'integers' ? value.map((_, k) => k + 1) : ['x', 'y', 'z'];
-  for (const [k, one] of value.entries()) await type_value(page, box_named(element, `${label_of(row)} ${names[k]}`), String(one));
+  for (const [k, one] of value.entries())
+    await type_value(page, box_named(element, `${label_of(row)} ${names[k]}`), String(one));
 }
 
 async function set_written(page, element, value) {
@@ -73,35 +77,55 @@ async function set_written(page, element, value) {
 async function set_positions(page, element, row, value) {
   const label = label_of(row);
   const rows = () => element.locator('.vector').count();
-  while ((await rows()) < value.length) await changes(page, () => element.getByRole('button', { name: `Add a position to ${label}` }).click());
-  while ((await rows()) > value.length) await changes(page, () => element.getByRole('button', { name: /^Remove position/ }).last().click());
+  while ((await rows()) < value.length)
+    await changes(page, () => element.getByRole('button', { name: `Add a position to ${label}` }).click());
+  while ((await rows()) > value.length)
+    await changes(page, () =>
+      element
+        .getByRole('button', { name: /^Remove position/ })
+        .last()
+        .click(),
+    );
   for (const [k, position] of value.entries()) {
-    for (const [axis, one] of position.entries()) await type_value(page, box_named(element, `${label} ${k + 1}, ${'xyz'[axis]}`), String(one));
+    for (const [axis, one] of position.entries())
+      await type_value(page, box_named(element, `${label} ${k + 1}, ${'xyz'[axis]}`), String(one));
   }
 }
 
 async function set_box(page, element, row, value) {
   for (const [k, corner] of value.entries()) {
-    for (const [axis, one] of corner.entries()) await type_value(page, box_named(element, `${label_of(row)}, ${k === 0 ? 'lower' : 'upper'} ${'xyz'[axis]}`), String(one));
+    for (const [axis, one] of corner.entries())
+      await type_value(
+        page,
+        box_named(element, `${label_of(row)}, ${k === 0 ? 'lower' : 'upper'} ${'xyz'[axis]}`),
+        String(one),
+      );
   }
 }
 
-async function set_colours(page, element, row, value) {
+async function set_colours(page, element, _row, value) {
   const fields = element.locator('.text-field');
-  while ((await fields.count()) < value.length) await changes(page, () => element.getByRole('button', { name: /^Add a colour/ }).click());
+  while ((await fields.count()) < value.length)
+    await changes(page, () => element.getByRole('button', { name: /^Add a colour/ }).click());
   for (const [k, colour] of value.entries()) await type_value(page, fields.nth(k), colour);
 }
 
 async function set_selection(page, element, row, value) {
   const text = (entry) => (Array.isArray(entry) ? `${entry[0]}-${entry[1]}` : String(entry));
-  for (const entry of value) await changes(page, () => type_into(page, box_named(element, `Add to ${label_of(row)}`), text(entry)));
+  for (const entry of value)
+    await changes(page, () => type_into(page, box_named(element, `Add to ${label_of(row)}`), text(entry)));
 }
 
 /// Files beside the document are chosen in the list of files, and other files are typed.
-async function set_file(page, element, row, value) {
+async function set_file(page, element, _row, value) {
   if (value.includes('/')) return type_value(page, element.getByRole('textbox'), value);
   await element.getByRole('button', { name: /^Choose a file/ }).click();
-  await changes(page, () => page.getByRole('dialog').locator('.file', { has: page.getByText(value, { exact: true }) }).click());
+  await changes(page, () =>
+    page
+      .getByRole('dialog')
+      .locator('.file', { has: page.getByText(value, { exact: true }) })
+      .click(),
+  );
 }
 
 async function set_facing(page, element, row, value) {
@@ -119,20 +143,20 @@ async function set_lines(page, element, value) {
   await changes(page, () => page.keyboard.press('Control+Enter'));
 }
 
-const set_text = (page, element, row, value) => type_value(page, element.getByRole('textbox').first(), String(value));
-const set_curve = (page, element, row, value) => set_written(page, element, value);
+const set_text = (page, element, _row, value) => type_value(page, element.getByRole('textbox').first(), String(value));
+const set_curve = (page, element, _row, value) => set_written(page, element, value);
 
 const kHands = {
   number: set_number,
   integer: set_number,
   boolean: (page, element) => changes(page, () => element.getByRole('switch').click()),
-  choice: (page, element, row, value) => changes(page, () => element.getByRole('combobox').selectOption(value)),
+  choice: (page, element, _row, value) => changes(page, () => element.getByRole('combobox').selectOption(value)),
   text: set_text,
   condition: set_text,
   formula: set_text,
-  colour: (page, element, row, value) => type_value(page, element.locator('.text-field'), value),
+  colour: (page, element, _row, value) => type_value(page, element.locator('.text-field'), value),
   file: set_file,
-  lines: (page, element, row, value) => set_lines(page, element, value),
+  lines: (page, element, _row, value) => set_lines(page, element, value),
   vector: set_vector,
   integers: set_vector,
   facing: set_facing,
@@ -154,7 +178,14 @@ export async function unfold(page, path) {
   if ((await title.getAttribute('aria-expanded')) === 'false') await title.click();
 }
 
-const below = (path, step) => (typeof step === 'number' ? `${path}[${step}]` : /^[A-Za-z_]\w*$/.test(step) ? (path === '' ? step : `${path}.${step}`) : `${path}["${step}"]`);
+const below = (path, step) =>
+  typeof step === 'number'
+    ? `${path}[${step}]`
+    : /^[A-Za-z_]\w*$/.test(step)
+      ? path === ''
+        ? step
+        : `${path}.${step}`
+      : `${path}["${step}"]`;
 
 /// Returns the table of the element of a list.
 export function table_of_element(tables, row, element) {
@@ -185,17 +216,20 @@ export class RowHand {
     if (same(said, value)) return undefined;
     const element = at_path(this.page, path);
     // The menu gives the default value.
-    if (same(row.default, value)) return changes(this.page, () => pick_own(this.page, element, said === undefined ? 'Set' : 'Set to default'));
+    if (same(row.default, value))
+      return changes(this.page, () => pick_own(this.page, element, said === undefined ? 'Set' : 'Set to default'));
     return kHands[row.kind](this.page, element, row, value);
   }
 
   async give_members(path, table, value) {
     await unfold(this.page, path);
     // In the order of the table, because later rows may have an effect only beside earlier rows.
-    for (const row of table.rows) if (value[row.name] !== undefined) await this.give(below(path, row.name), row, value[row.name]);
+    for (const row of table.rows)
+      if (value[row.name] !== undefined) await this.give(below(path, row.name), row, value[row.name]);
     // A new element has one row of each group that requires one row.
     const extra = Object.keys((await said_at(this.page, path)) ?? {}).filter((name) => !(name in value));
-    for (const name of extra) await changes(this.page, () => pick_own(this.page, at_path(this.page, below(path, name)), 'Unset'));
+    for (const name of extra)
+      await changes(this.page, () => pick_own(this.page, at_path(this.page, below(path, name)), 'Unset'));
   }
 
   async give_elements(path, row, elements) {

@@ -28,7 +28,8 @@ after(async () => {
 });
 
 /// The kinds of a table's own rows. The ends of a link are required and cannot be removed.
-const kinds_of = (table) => new Set(table.rows.filter((one) => !['from', 'to'].includes(one.name)).map((one) => one.kind));
+const kinds_of = (table) =>
+  new Set(table.rows.filter((one) => !['from', 'to'].includes(one.name)).map((one) => one.kind));
 
 /// Sets the rows of these owners and kinds by mouse and keyboard, and one row of each other kind.
 async function set_by_hand(wanted) {
@@ -36,7 +37,11 @@ async function set_by_hand(wanted) {
   assert.deepEqual([...all].sort(), [...kKinds].sort());
   const rows = chosen_rows(documents, tables, wanted);
   const keys = new Set(rows.map((one) => one.key));
-  assert.deepEqual(wanted.filter((key) => !keys.has(key)), [], 'no document gives these');
+  assert.deepEqual(
+    wanted.filter((key) => !keys.has(key)),
+    [],
+    'no document gives these',
+  );
   const told = { faults: [], kinds: new Set() };
   for (const document of documents) {
     const own = rows.filter((one) => one.document === document);
@@ -47,7 +52,8 @@ async function set_by_hand(wanted) {
     told.faults.push(...faults.map((one) => `${document.name}: ${one}`));
     if (faults.length > 0) continue;
     const said = await said_in(page);
-    if (!same(said, document.said)) told.faults.push(`${document.name} says ${JSON.stringify(said)}\n in place of ${JSON.stringify(document.said)}`);
+    if (!same(said, document.said))
+      told.faults.push(`${document.name} says ${JSON.stringify(said)}\n in place of ${JSON.stringify(document.said)}`);
     const check = await check_saved(page, place.folder, document.name);
     if (check.code !== 0) told.faults.push(`${document.name}: ${check.stderr}${check.stdout}`);
   }
@@ -58,4 +64,8 @@ async function set_by_hand(wanted) {
 test('each kind is set', () => set_by_hand([]));
 
 test('each kind is set for each component type, link and part of the document', () =>
-  set_by_hand(Object.entries(owners_of(tables)).flatMap(([owner, table]) => [...kinds_of(table)].map((kind) => `${owner}: ${kind}`))));
+  set_by_hand(
+    Object.entries(owners_of(tables)).flatMap(([owner, table]) =>
+      [...kinds_of(table)].map((kind) => `${owner}: ${kind}`),
+    ),
+  ));

@@ -6,7 +6,17 @@ import { after, before, test } from 'node:test';
 
 import { box_faults, serious_faults } from './boxes.mjs';
 import { choose, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
-import { meristem, open_page, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  meristem,
+  open_page,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kPear = `{
   "meristem": 1, // a tree to cut
@@ -102,7 +112,13 @@ async function click_shoot(point) {
 }
 
 const tool = () => page.locator('.shoot-tool');
-const acted = (path) => page.waitForFunction((wanted) => window.studio.bench.pruning.told.get()?.operations.places.length > 0 && window.studio.bench.pruning.looked_at.get()?.path === wanted, path);
+const acted = (path) =>
+  page.waitForFunction(
+    (wanted) =>
+      window.studio.bench.pruning.told.get()?.operations.places.length > 0 &&
+      window.studio.bench.pruning.looked_at.get()?.path === wanted,
+    path,
+  );
 
 /// Returns the end of a metamer of the stem that is visible from the front.
 const kOnStem = [0, 0.52, 0.01];
@@ -114,7 +130,11 @@ test('a click on a shoot takes hold of it, and a cut stands in the document and 
   assert.equal(shoot.iteration, 9);
   assert.equal(shoot.metamer, 5);
   assert.equal(await page.locator('.pruning-overlay .goes').count(), 1);
-  await step(page, () => tool().getByRole('button', { name: `Cut above ${shoot.metamer}` }).click());
+  await step(page, () =>
+    tool()
+      .getByRole('button', { name: `Cut above ${shoot.metamer}` })
+      .click(),
+  );
   const [cut] = (await tree_of()).components.pear.operations;
   assert.deepEqual(cut, { do: 'cut', at: 9, shoots: 'main', above: shoot.metamer });
   assert.equal(await undo_count(page), 1);
@@ -162,11 +182,18 @@ test('a bend and marks are written with their numbers', async () => {
   await tool().getByRole('button', { name: 'Summer', exact: true }).click();
   await step(page, () => tool().locator('.shoot-act .button.main').click());
   const operations = (await tree_of()).components.pear.operations;
-  assert.deepEqual(operations[0], { do: 'bend', at: 9, shoots: 'main', below: shoot.metamer, metamers: 3, inclination: 40 });
+  assert.deepEqual(operations[0], {
+    do: 'bend',
+    at: 9,
+    shoots: 'main',
+    below: shoot.metamer,
+    metamers: 3,
+    inclination: 40,
+  });
   assert.deepEqual(operations[1], { do: 'mark', at: 9, shoots: 'main', state: 'spare' });
   assert.equal(operations[2].season, 'summer');
   assert.equal(await undo_count(page), 3);
-  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ season: 'winter', deed: 'cut' }));
+  await page.evaluate(() => window.studio.bench.pruning.choice.merge({ season: 'winter', action: 'cut' }));
 });
 
 test('the plan lists operations in order and by year; it moves, switches off and takes them away', async () => {
@@ -205,7 +232,14 @@ test('before and after stand side by side', async () => {
   await item.getByRole('button', { name: 'Pin the state without operation 2 beside the view' }).click();
   await page.locator('.pinned').waitFor();
   await page.waitForFunction(() => !document.querySelector('.pinned .view-note'), null, { timeout: 20000 });
-  assert.equal(await page.evaluate(() => JSON.parse(window.studio.bench.pins.shown.get()[0].text.replace(/\/\/.*/, '')).components.pear.operations[1].off), true);
+  assert.equal(
+    await page.evaluate(
+      () =>
+        JSON.parse(window.studio.bench.pins.shown.get()[0].text.replace(/\/\/.*/, '')).components.pear.operations[1]
+          .off,
+    ),
+    true,
+  );
   await page.getByRole('button', { name: /^Let state A go/ }).click();
 });
 
@@ -229,12 +263,19 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   await page.locator('.view canvas').focus();
   const press = async (key, { shoot, metamer, tree = 0 }) => {
     await page.keyboard.press(key);
-    await page.waitForFunction(([name, at, of]) => {
-      const found = window.studio.instance.found.get();
-      return found?.shoot === name && found.metamer === at && found.tree === of;
-    }, [shoot, metamer, tree], { timeout: 5000 });
+    await page.waitForFunction(
+      ([name, at, of]) => {
+        const found = window.studio.instance.found.get();
+        return found?.shoot === name && found.metamer === at && found.tree === of;
+      },
+      [shoot, metamer, tree],
+      { timeout: 5000 },
+    );
   };
-  const said = async (what) => page.waitForFunction((wanted) => document.querySelector('.shoot-said')?.textContent.includes(wanted), what, { timeout: 5000 });
+  const said = async (what) =>
+    page.waitForFunction((wanted) => document.querySelector('.shoot-said')?.textContent.includes(wanted), what, {
+      timeout: 5000,
+    });
   await press('Enter', { shoot: 'main', metamer: 1 });
   await said('main, tree 0, metamer 1 of 14. Order 0, 1.4 m long, 0.1 m from its base');
   await press('PageDown', { shoot: 'main', metamer: 1, tree: 1 });
@@ -251,10 +292,15 @@ test('by the keyboard alone a shoot is chosen and cut, and undo gives the first 
   assert.equal(await page.locator('.pruning-overlay .goes').count(), 1);
   assert.equal(await page.locator('.pruning-overlay .held-place').count(), 1);
   await page.keyboard.press('t');
-  assert.equal(await tool().getByRole('button', { name: 'Tie', exact: true }).first().getAttribute('aria-pressed'), 'true');
+  assert.equal(
+    await tool().getByRole('button', { name: 'Tie', exact: true }).first().getAttribute('aria-pressed'),
+    'true',
+  );
   await page.keyboard.press('c');
   await step(page, () => page.keyboard.press('Enter'));
-  assert.deepEqual((await tree_of()).components.tree.operations, [{ do: 'cut', at: 7, shoots: 'main.4', tree: 0, above: 5 }]);
+  assert.deepEqual((await tree_of()).components.tree.operations, [
+    { do: 'cut', at: 7, shoots: 'main.4', tree: 0, above: 5 },
+  ]);
   // The view has the focus again. Enter then holds the shoot in its present state.
   await tool().waitFor({ state: 'detached' });
   assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'CANVAS');
@@ -320,7 +366,10 @@ test('Escape puts a grip back, and the arrow keys move it', async () => {
   await page.keyboard.press('PageDown');
   assert.equal(await page.evaluate(() => document.activeElement.dataset.grip), 'move y');
   await step(page, () => type_into(page, page.locator('.gizmo-card').getByRole('textbox', { name: /height/ }), '3'));
-  assert.deepEqual((await tree_of()).scene.obstacles[0].box.map((one) => one[1]), [0, 3]);
+  assert.deepEqual(
+    (await tree_of()).scene.obstacles[0].box.map((one) => one[1]),
+    [0, 3],
+  );
 });
 
 test('a turn keeps the middle of a box where it is', async () => {
@@ -439,13 +488,25 @@ test('the sun is dragged along its way for the hour and across for the day', asy
   await step(page, () => type_into(page, page.getByRole('textbox', { name: 'Latitude of the sun' }), '35'));
   assert.equal((await tree_of()).scene.latitude, 35);
   // Each field stays within the limits of its row, which are drawn.
-  for (const [name, limits, typed, legal] of [['Latitude', '-90 90', '123', 90], ['Day', '1 366', '400', 366], ['Day', '1 366', '-3', 1], ['Hour', '0 24', '30', 24]]) {
-    assert.equal(await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'), limits, name);
+  for (const [name, limits, typed, legal] of [
+    ['Latitude', '-90 90', '123', 90],
+    ['Day', '1 366', '400', 366],
+    ['Day', '1 366', '-3', 1],
+    ['Hour', '0 24', '30', 24],
+  ]) {
+    assert.equal(
+      await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'),
+      limits,
+      name,
+    );
     await step(page, () => type_into(page, page.getByRole('textbox', { name: `${name} of the sun` }), typed));
     const { latitude, sun: now } = (await tree_of()).scene;
     assert.equal({ Latitude: latitude, Day: now.day, Hour: now.hour }[name], legal, `${name} ${typed}`);
   }
-  assert.deepEqual(await page.evaluate(() => window.studio.document.state.get().faults.filter(({ severity }) => severity === 'error')), []);
+  assert.deepEqual(
+    await page.evaluate(() => window.studio.document.state.get().faults.filter(({ severity }) => severity === 'error')),
+    [],
+  );
   await page.getByRole('checkbox', { name: 'Light the view by this sun' }).check();
   assert.deepEqual(await serious_faults(page), []);
   await undo_all(page);
@@ -455,15 +516,34 @@ test('the sun is dragged along its way for the hour and across for the day', asy
 
 test('the position of a fixed sun and the date of a clock stay within their limits', async () => {
   for (const [file, sun, fields] of [
-    ['fixed.json', '{"azimuth": 180, "altitude": 40}', [['Altitude', '-90 90', '-120', ['altitude', -90]], ['Altitude', '-90 90', '-30', ['altitude', -30]], ['Azimuth', '-360 360', '500', ['azimuth', 0]]]],
-    ['dated.json', '{"date": "2026-06-21", "time": 12, "longitude": 9, "utc_offset": 1}', [['Day', '1 365', '500', ['date', '2026-12-31']], ['Time', '0 24', '25', ['time', 24]]]],
+    [
+      'fixed.json',
+      '{"azimuth": 180, "altitude": 40}',
+      [
+        ['Altitude', '-90 90', '-120', ['altitude', -90]],
+        ['Altitude', '-90 90', '-30', ['altitude', -30]],
+        ['Azimuth', '-360 360', '500', ['azimuth', 0]],
+      ],
+    ],
+    [
+      'dated.json',
+      '{"date": "2026-06-21", "time": 12, "longitude": 9, "utc_offset": 1}',
+      [
+        ['Day', '1 365', '500', ['date', '2026-12-31']],
+        ['Time', '0 24', '25', ['time', 24]],
+      ],
+    ],
   ]) {
     const text = kYard.replace('{"day": 172, "hour": 12}', sun);
     await write_document(place.folder, file, text);
     await open_file(page, file);
     await choose(page, 'Scene');
     for (const [name, limits, typed, [row, legal]] of fields) {
-      assert.equal(await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'), limits, name);
+      assert.equal(
+        await page.locator('.sun-field', { hasText: name }).locator('[data-limits]').getAttribute('data-limits'),
+        limits,
+        name,
+      );
       await step(page, () => type_into(page, page.getByRole('textbox', { name: `${name} of the sun` }), typed));
       assert.equal((await tree_of()).scene.sun[row], legal, `${name} ${typed}`);
     }
@@ -481,7 +561,13 @@ test('the profile of a crown is dragged in the view', async () => {
   await step(page, async () => drag_by(await middle_of(grip('point 2').locator('circle').last()), [40, 0]));
   const { profile } = (await tree_of()).components.tree.crown;
   assert.ok(profile[1][0] > 0.85, JSON.stringify(profile));
-  assert.deepEqual([profile[0], profile[2]], [[0.2, 0.6], [0, 2]]);
+  assert.deepEqual(
+    [profile[0], profile[2]],
+    [
+      [0.2, 0.6],
+      [0, 2],
+    ],
+  );
   await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kYard);
@@ -496,11 +582,18 @@ test('the outline of a crown is drawn over its attraction points, which follow a
   const points = await cloud.getAttribute('d');
   // They lie on one side of the axis and within the outline.
   const places = [...points.matchAll(/M(\S+) (\S+)h0/g)].map(([, radius, height]) => [Number(radius), Number(height)]);
-  assert.ok(places.every(([radius, height]) => radius >= 0 && radius < 0.95 && height >= 0.6 && height <= 2), points);
+  assert.ok(
+    places.every(([radius, height]) => radius >= 0 && radius < 0.95 && height >= 0.6 && height <= 2),
+    points,
+  );
   await profile.scrollIntoViewIfNeeded();
   await drag_by(await middle_of(profile.locator('.curve-point').nth(1)), [14, 0], { lets_go: false });
   const follows = (wants_same) =>
-    page.waitForFunction(([known, same]) => (document.querySelector('.curve-cloud').getAttribute('d') === known) === same, [points, wants_same], { timeout: 20000 });
+    page.waitForFunction(
+      ([known, same]) => (document.querySelector('.curve-cloud').getAttribute('d') === known) === same,
+      [points, wants_same],
+      { timeout: 20000 },
+    );
   await follows(false);
   await page.keyboard.press('Escape');
   await page.mouse.up();
@@ -515,9 +608,18 @@ test('a measured leaf is shown over its points, and drawn by hand', async () => 
   await page.getByRole('button', { name: 'Midrib and width…' }).click();
   const panel = page.getByRole('region', { name: 'Midrib and width' });
   await panel.locator('.curve-dots circle').first().waitFor();
-  assert.equal(await panel.getByRole('group', { name: 'Midrib', exact: true }).locator('.curve-dots circle').count(), 9);
+  assert.equal(
+    await panel.getByRole('group', { name: 'Midrib', exact: true }).locator('.curve-dots circle').count(),
+    9,
+  );
   assert.equal(await page.locator('.leaf-points').getAttribute('data-points'), '9');
-  await step(page, () => panel.getByRole('group', { name: 'Midrib', exact: true }).first().getByRole('button', { name: 'Draw by hand' }).click());
+  await step(page, () =>
+    panel
+      .getByRole('group', { name: 'Midrib', exact: true })
+      .first()
+      .getByRole('button', { name: 'Draw by hand' })
+      .click(),
+  );
   const leaf = (await tree_of()).components.leaf;
   assert.equal(leaf.midrib, undefined);
   assert.equal(leaf.midrib_points.length, 9);
@@ -535,5 +637,8 @@ test('a measured leaf is shown over its points, and drawn by hand', async () => 
 });
 
 test('nothing was complained about on the way', () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
 });

@@ -8,22 +8,74 @@ import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { add_by_keyboard, add_by_mouse, chosen, click_node, go_to, hang_by_mouse, name_variable, open_board, rename_by_keyboard, rename_by_mouse, retype_by_keyboard, set_kind_by_mouse, tab_to } from './board_hands.mjs';
+import {
+  add_by_keyboard,
+  add_by_mouse,
+  chosen,
+  click_node,
+  go_to,
+  hang_by_mouse,
+  name_variable,
+  open_board,
+  rename_by_keyboard,
+  rename_by_mouse,
+  retype_by_keyboard,
+  set_kind_by_mouse,
+  tab_to,
+} from './board_hands.mjs';
 import { choose } from './hands.mjs';
 import { at_path, below, RowHand } from './row_hands.mjs';
-import { changes, frames, kSource, meristem, open_page, start_browser, start_server, still, temporary_folder, text_of, undo_count } from './support.mjs';
+import {
+  changes,
+  frames,
+  kSource,
+  meristem,
+  open_page,
+  start_browser,
+  start_server,
+  still,
+  temporary_folder,
+  text_of,
+  undo_count,
+} from './support.mjs';
 
 let place, server, browser, shipped, tables;
 
 /// The components of each step: name, parent at first, and type.
 const kSteps = [
-  ['a leaf with its stalk', [['petiole', 'view', 'tree'], ['blade', 'petiole', 'leaf']]],
-  ['the bottom of the head', [['receptacle', 'view', 'revolution'], ['whorl', 'receptacle', 'hydra'], ['bract', 'whorl', 'leaf']]],
+  [
+    'a leaf with its stalk',
+    [
+      ['petiole', 'view', 'tree'],
+      ['blade', 'petiole', 'leaf'],
+    ],
+  ],
+  [
+    'the bottom of the head',
+    [
+      ['receptacle', 'view', 'revolution'],
+      ['whorl', 'receptacle', 'hydra'],
+      ['bract', 'whorl', 'leaf'],
+    ],
+  ],
   [
     'rays and florets',
-    [['ring', 'receptacle', 'wreath'], ['ray', 'ring', 'leaf'], ['disc', 'receptacle', 'phiball'], ['bud', 'disc', 'revolution'], ['floret', 'disc', 'revolution'], ['anthers', 'disc', 'revolution']],
+    [
+      ['ring', 'receptacle', 'wreath'],
+      ['ray', 'ring', 'leaf'],
+      ['disc', 'receptacle', 'phiball'],
+      ['bud', 'disc', 'revolution'],
+      ['floret', 'disc', 'revolution'],
+      ['anthers', 'disc', 'revolution'],
+    ],
   ],
-  ['the stem', [['stem', 'view', 'tree'], ['neck', 'stem', 'horn']]],
+  [
+    'the stem',
+    [
+      ['stem', 'view', 'tree'],
+      ['neck', 'stem', 'horn'],
+    ],
+  ],
 ];
 
 const read = (text) => JSON.parse(text.replace(/^\s*\/\/.*$/gm, ''));
@@ -45,8 +97,16 @@ after(async () => {
 /// Sorts components, variables and links, because users write them in any order.
 function in_order(document) {
   const sorted = (object) => Object.fromEntries(Object.entries(object).sort(([a], [b]) => (a < b ? -1 : 1)));
-  const links = [...document.links].map((link) => JSON.stringify(link)).sort().map((link) => JSON.parse(link));
-  return { ...sorted(document), components: sorted(Object.fromEntries(Object.entries(document.components).map(([id, one]) => [id, sorted(one)]))), variables: sorted(document.variables), links };
+  const links = [...document.links]
+    .map((link) => JSON.stringify(link))
+    .sort()
+    .map((link) => JSON.parse(link));
+  return {
+    ...sorted(document),
+    components: sorted(Object.fromEntries(Object.entries(document.components).map(([id, one]) => [id, sorted(one)]))),
+    variables: sorted(document.variables),
+    links,
+  };
 }
 
 async function hash_of_plant(name, document) {
@@ -54,7 +114,9 @@ async function hash_of_plant(name, document) {
   await writeFile(file, JSON.stringify(in_order(document)));
   const { code, stderr } = await meristem('grow', file, '-o', path.join(place.folder, `${name}.glb`), '-q');
   assert.equal(code, 0, stderr);
-  return createHash('sha256').update(await readFile(path.join(place.folder, `${name}.glb`))).digest('hex');
+  return createHash('sha256')
+    .update(await readFile(path.join(place.folder, `${name}.glb`)))
+    .digest('hex');
 }
 
 async function assert_is_shipped(page) {
@@ -70,7 +132,10 @@ async function new_page() {
   return page;
 }
 
-const begins_anew = (page) => page.waitForFunction(() => window.studio.document.state.get().text.includes('"New plant"') && window.studio.growth.get().shown);
+const begins_anew = (page) =>
+  page.waitForFunction(
+    () => window.studio.document.state.get().text.includes('"New plant"') && window.studio.growth.get().shown,
+  );
 
 /// Sets all rows of the shipped document for the chosen part, by mouse and keyboard.
 async function give_rows(page, at, said, ...names) {
@@ -81,7 +146,8 @@ async function give_rows(page, at, said, ...names) {
   for (let round = 0; rows.length > 0; round += 1) {
     const waiting = [];
     for (const row of rows) {
-      if (await at_path(page, below(at, row.name)).isVisible()) await hand.give(below(at, row.name), row, said[row.name]);
+      if (await at_path(page, below(at, row.name)).isVisible())
+        await hand.give(below(at, row.name), row, said[row.name]);
       else waiting.push(row);
     }
     assert.ok(waiting.length < rows.length || round < 100, `no rows for ${waiting.map((one) => one.name)} of ${at}`);
@@ -90,7 +156,14 @@ async function give_rows(page, at, said, ...names) {
   }
 }
 
-const give_component = (page, id) => give_rows(page, `components.${id}`, shipped.components[id], tables.components[shipped.components[id].type].table, tables.all_components);
+const give_component = (page, id) =>
+  give_rows(
+    page,
+    `components.${id}`,
+    shipped.components[id],
+    tables.components[shipped.components[id].type].table,
+    tables.all_components,
+  );
 
 test('with the mouse', async () => {
   const page = await new_page();
@@ -100,16 +173,29 @@ test('with the mouse', async () => {
   await page.getByRole('button', { name: 'Pause growing' }).click();
   // The document, its handles, its scene.
   await choose(page, 'Document');
-  await give_rows(page, '', { name: shipped.name, description: shipped.description, licence: shipped.licence, seed: shipped.seed }, tables.document);
+  await give_rows(
+    page,
+    '',
+    { name: shipped.name, description: shipped.description, licence: shipped.licence, seed: shipped.seed },
+    tables.document,
+  );
   for (const [name, said] of Object.entries(shipped.variables)) {
     await changes(page, () => page.getByRole('button', { name: 'Add a handle', exact: true }).click());
     await page.waitForFunction(() => window.studio.chosen.get().startsWith('variables.handle'));
     await name_variable(page, name);
     await give_rows(page, `variables.${name}`, said, tables.variable);
   }
-  for (const [title, part] of [['Scene', 'scene'], ['Output', 'output']]) {
+  for (const [title, part] of [
+    ['Scene', 'scene'],
+    ['Output', 'output'],
+  ]) {
     await choose(page, title);
-    await give_rows(page, part, shipped[part], tables.tables[tables.document].rows.find((one) => one.name === part).table);
+    await give_rows(
+      page,
+      part,
+      shipped[part],
+      tables.tables[tables.document].rows.find((one) => one.name === part).table,
+    );
   }
   await open_board(page);
   await click_node(page, 'view');
@@ -128,7 +214,10 @@ test('with the mouse', async () => {
   await assert_is_shipped(page);
   const steps = await undo_count(page);
   assert.ok(steps > 150, `${steps} steps`);
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
   await page.context().close();
 });
 
@@ -152,7 +241,10 @@ test('with the keyboard alone', async () => {
     }
   }
   // Links from the stem to the petiole and from the neck to the receptacle replace the links from the camera.
-  for (const [from, to] of [['stem', 'petiole'], ['neck', 'receptacle']]) {
+  for (const [from, to] of [
+    ['stem', 'petiole'],
+    ['neck', 'receptacle'],
+  ]) {
     await go_to(page, from);
     await page.keyboard.press('l');
     await go_to(page, to);
@@ -162,7 +254,11 @@ test('with the keyboard alone', async () => {
   await page.keyboard.press('t');
   await page.locator('.cm-content').waitFor();
   for (const [id, said] of Object.entries(shipped.components)) {
-    await retype_by_keyboard(page, id === 'view' ? '"view": {"type": "camera"}' : `"${id}": {"type": "${said.type}"}`, `"${id}": ${JSON.stringify(said)}`);
+    await retype_by_keyboard(
+      page,
+      id === 'view' ? '"view": {"type": "camera"}' : `"${id}": {"type": "${said.type}"}`,
+      `"${id}": ${JSON.stringify(said)}`,
+    );
   }
   const { name, description, licence, seed, variables, scene, output } = shipped;
   const head = JSON.stringify({ name, description, licence, seed, variables, scene, output }).slice(1, -1);

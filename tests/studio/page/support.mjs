@@ -3,7 +3,7 @@
 // MERISTEM_CHROMIUM_SHELL this browser without windows. MERISTEM_PAGE is a folder with another page than the program's
 // own. MERISTEM_SLOWNESS multiplies all times of waiting, as for a program with sanitizers.
 import { execFile, spawn } from 'node:child_process';
-import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
@@ -29,7 +29,13 @@ const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
 const kShell = process.env.MERISTEM_CHROMIUM_SHELL || kBrowser;
 // A processor draws instead of a graphics card, so panels are painted without GPU rasterization, which is three times
 // as fast.
-const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-gpu-rasterization'];
+const kArguments = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-gpu-rasterization',
+];
 // A page that replaces the program's own page has no address. By default, browsers do not let such a page connect to
 // this machine.
 if (process.env.MERISTEM_PAGE) kArguments.push('--disable-features=LocalNetworkAccessChecks');
@@ -105,31 +111,47 @@ export async function visit(page, address) {
 /// Replaces the program's page by a built page, for work on the page.
 async function serve_folder(page, address, folder) {
   for (const file of await readdir(folder)) {
-    await page.route(file === 'index.html' ? address : address + file, (route) => route.fulfill({ path: path.join(folder, file) }));
+    await page.route(file === 'index.html' ? address : address + file, (route) =>
+      route.fulfill({ path: path.join(folder, file) }),
+    );
   }
 }
 
 /// Waits until the document is open and its plant is shown.
 export async function ready(page) {
-  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: patient(60_000) });
+  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, {
+    timeout: patient(60_000),
+  });
   await settled(page);
 }
 
 /// Waits until the server knows the text, and the plant of the text is shown at rest.
 export async function settled(page) {
-  const state = () => page.evaluate(() => JSON.stringify([window.studio.document.state.get().hash, window.studio.growth.get(), window.studio.server.get().link]));
-  await page.waitForFunction(
-    () => {
-      const { studio } = window;
-      const { hash, good } = studio.document.state.get();
-      const { shown, working } = studio.growth.get();
-      return Object.keys(studio.dragged.get()).length === 0 && (!good || (shown?.hash === hash && !shown.draft && !working));
-    },
-    null,
-    { timeout: patient(60_000) },
-  ).catch(async (fault) => {
-    throw new Error(`the page does not settle: ${await state()}`, { cause: fault });
-  });
+  const state = () =>
+    page.evaluate(() =>
+      JSON.stringify([
+        window.studio.document.state.get().hash,
+        window.studio.growth.get(),
+        window.studio.server.get().link,
+      ]),
+    );
+  await page
+    .waitForFunction(
+      () => {
+        const { studio } = window;
+        const { hash, good } = studio.document.state.get();
+        const { shown, working } = studio.growth.get();
+        return (
+          Object.keys(studio.dragged.get()).length === 0 &&
+          (!good || (shown?.hash === hash && !shown.draft && !working))
+        );
+      },
+      null,
+      { timeout: patient(60_000) },
+    )
+    .catch(async (fault) => {
+      throw new Error(`the page does not settle: ${await state()}`, { cause: fault });
+    });
 }
 
 /// Runs `act`, and waits until the text has changed and the page has had the time to show it. The time limit begins
@@ -147,16 +169,23 @@ export async function changes(page, act) {
     });
   });
   await act();
-  const within = (limit) => Promise.race([window.text_changes, new Promise((done) => setTimeout(() => done(false), limit))]);
+  const within = (limit) =>
+    Promise.race([window.text_changes, new Promise((done) => setTimeout(() => done(false), limit))]);
   if (await page.evaluate(within, kLongest)) return;
-  const state = await page.evaluate(() => [window.studio.chosen.get(), document.activeElement.outerHTML.slice(0, 200), ...window.studio.toasts.shown.get().map((one) => one.text), window.studio.document.state.get().text]);
+  const state = await page.evaluate(() => [
+    window.studio.chosen.get(),
+    document.activeElement.outerHTML.slice(0, 200),
+    ...window.studio.toasts.shown.get().map((one) => one.text),
+    window.studio.document.state.get().text,
+  ]);
   throw new Error(`the text stays what it is: ${state.join('\n')}`);
 }
 
 /// Waits until the page has drawn some frames. What had to happen by itself has then happened.
-export const frames = (page, count = 3) => page.evaluate(async (wanted) => {
-  for (let k = 0; k < wanted; k += 1) await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-}, count);
+export const frames = (page, count = 3) =>
+  page.evaluate(async (wanted) => {
+    for (let k = 0; k < wanted; k += 1) await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  }, count);
 
 /// Gives the page a theme, or the system's (null), and waits for the end of all transitions to its colours.
 export async function set_theme(page, theme) {
@@ -167,7 +196,11 @@ export async function set_theme(page, theme) {
 /// Waits until no transition or animation of the page that ends by itself runs.
 export async function still(page) {
   await frames(page);
-  await page.waitForFunction(() => document.getAnimations().every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity));
+  await page.waitForFunction(() =>
+    document
+      .getAnimations()
+      .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity),
+  );
 }
 
 /// Returns the record of unsaved work on a file that the browser keeps for this tab, or on the open document if no

@@ -7,7 +7,19 @@ import { after, before, test } from 'node:test';
 
 import { serious_faults } from './boxes.mjs';
 import { choose, drag, leave_fields, open_file, row, step, type_into, undo_all } from './hands.mjs';
-import { frames, meristem, open_page, set_theme, settled, start_browser, start_server, temporary_folder, text_of, undo_count, write_document } from './support.mjs';
+import {
+  frames,
+  meristem,
+  open_page,
+  set_theme,
+  settled,
+  start_browser,
+  start_server,
+  temporary_folder,
+  text_of,
+  undo_count,
+  write_document,
+} from './support.mjs';
 
 const kFilm = `{
   "meristem": 1,
@@ -34,7 +46,10 @@ before(async () => {
   await write_document(place.folder, 'film.json', kFilm);
   server = await start_server(place.folder, path.join(place.folder, 'film.json'));
   browser = await start_browser();
-  page = await open_page(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true }), server.address);
+  page = await open_page(
+    await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true }),
+    server.address,
+  );
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await leave_fields(page);
   await page.keyboard.press('k');
@@ -52,12 +67,33 @@ const lane = (name) => page.locator(`[data-track="${name}"]`);
 const said = () => page.evaluate(() => JSON.parse(JSON.stringify(window.studio.document.state.get().tree.value)));
 const keys = async (name) => (await said()).animation.keys[name];
 const time = () => page.evaluate(() => window.studio.bench.time.time);
-const height = () => page.evaluate(() => window.studio.view.plant.seen.length && new Promise((done) => window.studio.view.drawn().then(() => done(window.studio.view.fitting_distance))));
+const height = () =>
+  page.evaluate(
+    () =>
+      window.studio.view.plant.seen.length &&
+      new Promise((done) => window.studio.view.drawn().then(() => done(window.studio.view.fitting_distance))),
+  );
 
+/// Waits until the server has answered the last time, with the request for all detail.
+const all_time_is_sent = () =>
+  page.waitForFunction(() => {
+    const { time } = window.studio.bench;
+    return time.moves_until_ === 0 && !time.sender_.is_sending_;
+  });
+
+/// Shows another time, and waits until the plant of this time is shown at rest. The growth's `shown` is another object for
+/// each packet.
 async function scrub_to(seconds) {
+  await all_time_is_sent();
+  await settled(page);
+  if ((await time()) === seconds) return;
+  await page.evaluate(() => {
+    window.shown_before = window.studio.growth.get().shown;
+  });
   await type_into(page, page.getByRole('textbox', { name: 'Time', exact: true }), String(seconds));
   await page.waitForFunction((wanted) => window.studio.bench.time.time === wanted, seconds);
-  await page.waitForFunction(() => window.studio.bench.time.moves_until_ === 0); // all detail is asked for
+  await all_time_is_sent();
+  await page.waitForFunction(() => window.studio.growth.get().shown !== window.shown_before);
   await settled(page);
 }
 
@@ -98,7 +134,11 @@ test('a row is keyed where the time stands; its number is that of the keys, and 
   const button = length.getByRole('button', { name: 'Key of length' });
   assert.match(await button.getAttribute('class'), /others/);
   await one_step(() => button.click());
-  assert.deepEqual(await keys('stem.length'), [[0, 0.2], [2, 0.6, 'smooth'], [4, 1, 'smooth']]);
+  assert.deepEqual(await keys('stem.length'), [
+    [0, 0.2],
+    [2, 0.6, 'smooth'],
+    [4, 1, 'smooth'],
+  ]);
   assert.match(await button.getAttribute('class'), /here/);
   await one_step(() => type_into(page, length.getByRole('textbox', { name: 'length', exact: true }), '0.9'));
   assert.equal((await keys('stem.length'))[1][1], 0.9);
@@ -158,11 +198,16 @@ test('sequences are blocks that start with their clocks, and a hand moves their 
   const clocks = page.locator('[data-clock="clock"]');
   await clocks.locator('.clock-block').nth(2).waitFor({ state: 'attached' });
   const lefts = await clocks.locator('.clock-block').evaluateAll((all) => all.map((one) => parseFloat(one.style.left)));
-  assert.deepEqual(lefts.map((one) => Math.round(one * 0.04 * 100) / 100), [0.5, 1.25, 2]);
+  assert.deepEqual(
+    lefts.map((one) => Math.round(one * 0.04 * 100) / 100),
+    [0.5, 1.25, 2],
+  );
   await one_step(() => drag(page, clocks.locator('.lane'), [100, 0], { across: 0.3, steps: 8 }));
   const { delay } = (await said()).components.clock;
   assert.ok(delay[0] > 0.5 && Math.abs(delay[1] - delay[0] - 1.5) < 1e-6, delay.join(' '));
-  await page.waitForFunction(() => parseFloat(document.querySelector('[data-clock=clock] .clock-block').style.left) > 13);
+  await page.waitForFunction(
+    () => parseFloat(document.querySelector('[data-clock=clock] .clock-block').style.left) > 13,
+  );
   await all_back();
 });
 
@@ -206,7 +251,11 @@ test('the camera goes into the document and comes back, and views are kept', asy
   await one_step(() => menu('Set the document’s camera'));
   const { view } = (await said()).components;
   assert.equal(view.azimuth, undefined);
-  assert.ok(view.position[0] > view.target[0] && Math.abs(view.position[2] - view.target[2]) < 0.01 && view.field_of_view === 32);
+  assert.ok(
+    view.position[0] > view.target[0] &&
+      Math.abs(view.position[2] - view.target[2]) < 0.01 &&
+      view.field_of_view === 32,
+  );
   assert.equal(await page.evaluate(() => window.studio.document.state.get().good), true);
   await menu('Keep this view');
   await page.getByRole('button', { name: 'Front', exact: true }).click();
@@ -244,6 +293,9 @@ test('axe finds nothing serious in the timeline, light and dark', async () => {
 });
 
 test('nothing was complained about on the way', async () => {
-  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)), []);
+  assert.deepEqual(
+    page.faults.filter((fault) => !/WebGL|GL Driver/i.test(fault)),
+    [],
+  );
   assert.equal((await meristem('check', path.join(place.folder, 'film.json'))).code, 0);
 });

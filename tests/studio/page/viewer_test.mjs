@@ -55,7 +55,11 @@ async function open(name, where = context) {
 
 /// Waits until a picture was drawn after all textures were loaded.
 async function drawn(frame) {
-  await frame.waitForFunction(() => window.viewer?.frames_drawn > 1 || document.getElementById('note').textContent !== 'Opening…', null, { timeout: 60000 });
+  await frame.waitForFunction(
+    () => window.viewer?.frames_drawn > 1 || document.getElementById('note').textContent !== 'Opening…',
+    null,
+    { timeout: 60000 },
+  );
   assert.notEqual(await frame.evaluate(() => window.viewer), undefined, await frame.locator('#note').innerText());
   return frame.evaluate(async () => {
     const turn = () => new Promise(requestAnimationFrame);
@@ -80,7 +84,10 @@ async function covered(page, frame) {
     for (let y = 0; y < image.height; y += 1) {
       for (let x = 0; x < image.width; x += 1) {
         const [at, edge] = [4 * (y * image.width + x), 4 * (y * image.width + image.width - 2)];
-        const away = Math.abs(pixels[at] - pixels[edge]) + Math.abs(pixels[at + 1] - pixels[edge + 1]) + Math.abs(pixels[at + 2] - pixels[edge + 2]);
+        const away =
+          Math.abs(pixels[at] - pixels[edge]) +
+          Math.abs(pixels[at + 1] - pixels[edge + 1]) +
+          Math.abs(pixels[at + 2] - pixels[edge + 2]);
         other += away > 40 ? 1 : 0;
       }
     }

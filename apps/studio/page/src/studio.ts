@@ -6,7 +6,7 @@ import { ToastList } from './base/toast_list.ts';
 import { Board } from './board/board.ts';
 import { DocumentModel } from './document/document_model.ts';
 import { values_of_variables } from './document/document_state.ts';
-import type { EditWish } from './document/edit_queue.ts';
+import type { EditOptions } from './document/edit_queue.ts';
 import { InstanceChoice } from './page/instance_choice.ts';
 import type { Page } from './page/page.ts';
 import type { GrowthState, PointedPart, ServerState, ShellState, ViewState } from './page/page_state.ts';
@@ -109,14 +109,14 @@ export class Studio implements Page {
     this.view?.shine(is_sunlit);
   }
 
-  async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
+  async edit(edits: Edit[], label: string, options: EditOptions = {}): Promise<Fault[] | null> {
     // Fields show the new values until the text has them.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
     this.drags_.drop(); // the edit also ends the drag on the server
     this.dragged.set(meant);
-    const faults = await this.document.edit(edits, label, wish);
+    const faults = await this.document.edit(edits, label, options);
     if (this.dragged.get() === meant) this.dragged.set({});
-    if (faults === null && wish.choose !== undefined) this.choose(wish.choose);
+    if (faults === null && options.choose !== undefined) this.choose(options.choose);
     return faults;
   }
 
@@ -142,20 +142,20 @@ export class Studio implements Page {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  async open(wish: OpenRequest): Promise<boolean> {
-    const fault = await this.try_open(wish);
+  async open(request: OpenRequest): Promise<boolean> {
+    const fault = await this.try_open(request);
     if (fault !== null) this.notify(fault, true);
     return fault === null;
   }
 
-  async try_open(wish: OpenRequest): Promise<string | null> {
+  async try_open(request: OpenRequest): Promise<string | null> {
     await this.document.idle();
     await this.keeper.flush();
     const { is_changed } = this.document;
     const left = this.document.state.get();
     const time = this.bench.time.leave();
     try {
-      const opened = await this.connection.request('open', wish);
+      const opened = await this.connection.request('open', request);
       void this.keeper.flush(); // keeps text that was typed meanwhile; not awaited, because packets follow
       this.take_opened(opened);
       const is_another = left.path !== opened.path || left.model !== opened.model;
@@ -224,15 +224,15 @@ export class Studio implements Page {
       this.keeper.note_link();
       return;
     }
-    for (const wish of await this.keeper.first_documents(hello)) {
-      if (await this.open(wish)) return;
+    for (const request of await this.keeper.first_documents(hello)) {
+      if (await this.open(request)) return;
     }
   }
 
   private tell_budgets(): void {
     if (!this.view || !this.connection.is_open) return;
     const skeleton = this.view_state.get().drawing === 'skeleton';
-    this.connection.tell('view', { ...budgets_of(this.view), ...this.bench.time.wish, skeleton });
+    this.connection.tell('view', { ...budgets_of(this.view), ...this.bench.time.request, skeleton });
   }
 
   private show_packet(bytes: ArrayBuffer): void {

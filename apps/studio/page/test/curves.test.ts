@@ -5,8 +5,8 @@ import { test } from 'node:test';
 import type { Shape } from '../src/editors/shape.ts';
 import {
   frame_of,
-  least_points,
   line_of,
+  min_points,
   mirrored,
   shape_of,
   with_point,
@@ -163,7 +163,7 @@ test('polygons: the last side leads back to the first point, and takes points to
   assert.deepEqual(line_of(ring).at(-1), [0, 0]);
   assert.equal(with_point(ring, [-0.1, 0.5], 0.01)?.index, 4);
   assert.deepEqual(with_point_after(ring, 3, 0.01)?.shape.points[4], [0, 0.5]);
-  assert.equal(least_points(ring), 3);
+  assert.equal(min_points(ring), 3);
 });
 
 test('silhouettes: both sides are in the frame, and x = 0', () => {

@@ -40,9 +40,9 @@ test('grammars: only the lines that change are written, comments and layout stay
 
 test('grammars: whatever is typed is what is read', () => {
   let seed = 7;
-  const random = (most: number): number => {
+  const random = (max: number): number => {
     seed = (seed * 1103515245 + 12345) % 2147483648;
-    return seed % most;
+    return seed % max;
   };
   for (const first of [
     kDocument,

@@ -496,7 +496,7 @@ test('a shoot is cut, bent, tied and marked after the year on show', () => {
     tree: 1,
     above: 0,
   });
-  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, deed: 'bend', inclination: -20 }, 1), {
+  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, action: 'bend', inclination: -20 }, 1), {
     do: 'bend',
     at: 9,
     shoots: 'main.4',
@@ -504,7 +504,7 @@ test('a shoot is cut, bent, tied and marked after the year on show', () => {
     metamers: 3,
     inclination: -20,
   });
-  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, deed: 'tie' }, 1), {
+  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, action: 'tie' }, 1), {
     do: 'tie',
     at: 9,
     shoots: 'main.4',
@@ -512,7 +512,7 @@ test('a shoot is cut, bent, tied and marked after the year on show', () => {
     anchor: 'ground',
     length: 0.5,
   });
-  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, deed: 'mark', state: 'dead' }, 1), {
+  assert.deepEqual(operation_of(kShoot, { ...kFirstChoice, action: 'mark', state: 'dead' }, 1), {
     do: 'mark',
     at: 9,
     shoots: 'main.4',

@@ -10,7 +10,7 @@ export interface Toast {
 }
 
 const kTime = 6000;
-const kMost = 4;
+const kMax = 4;
 
 export class ToastList {
   readonly shown = new Store<Toast[]>([]);
@@ -20,7 +20,7 @@ export class ToastList {
     const toast = { id: this.next_, text, is_fault, kind };
     this.next_ += 1;
     const others = this.shown.get().filter((one) => kind === '' || one.kind !== kind);
-    this.shown.set([...others.slice(1 - kMost), toast]);
+    this.shown.set([...others.slice(1 - kMax), toast]);
     setTimeout(() => this.dismiss(toast.id), kTime);
   }
 

@@ -10,7 +10,7 @@ import { member_of } from '../values/path.ts';
 
 export interface Entered {
   title: string;
-  wish: OpenRequest; // opens the document again
+  request: OpenRequest; // opens the document again
 }
 
 export class Gardens {
@@ -33,13 +33,13 @@ export class Gardens {
   }
 
   async enter(id: string): Promise<void> {
-    const wish = this.document_of(id);
-    if (!wish) return;
+    const request = this.document_of(id);
+    if (!request) return;
     const { path, model, name, text, tree } = this.page_.document.state.get();
     const title = member_of(tree?.value, 'name');
     const own: OpenRequest = path !== null ? { path } : model !== null ? { model } : { text, path: null };
-    const trail = [...this.trail.get(), { title: typeof title === 'string' ? title : name, wish: own }];
-    if (await this.page_.open(wish)) {
+    const trail = [...this.trail.get(), { title: typeof title === 'string' ? title : name, request: own }];
+    if (await this.page_.open(request)) {
       this.trail.set(trail);
       this.restore();
     }
@@ -49,7 +49,7 @@ export class Gardens {
   async leave(number: number): Promise<void> {
     const trail = this.trail.get();
     const entered = trail[number];
-    if (!entered || !(await this.page_.open(entered.wish))) return;
+    if (!entered || !(await this.page_.open(entered.request))) return;
     this.trail.set(trail.slice(0, number));
     this.restore();
   }

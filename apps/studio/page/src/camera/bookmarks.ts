@@ -8,7 +8,7 @@ export interface Bookmark {
   camera: CameraState;
 }
 
-const kMost = 12;
+const kMax = 12;
 
 function key_of(document: { path: string | null; model: string | null; name: string }): string {
   return `views of ${document.model !== null ? `model ${document.model}` : (document.path ?? `new ${document.name}`)}`;
@@ -24,7 +24,7 @@ export function bookmarks_of(document: Parameters<typeof key_of>[0]): Bookmark[]
 }
 
 export function keep_bookmarks(document: Parameters<typeof key_of>[0], all: readonly Bookmark[]): void {
-  prefer(key_of(document), JSON.stringify(all.slice(-kMost)));
+  prefer(key_of(document), JSON.stringify(all.slice(-kMax)));
 }
 
 /// Returns a name that no bookmark has.

@@ -4,9 +4,9 @@ import type { Page } from '../page/page.ts';
 import type { ExportRequest } from '../server/protocol.ts';
 
 /// Copies the command line that exports the same files in a terminal.
-export async function copy_command(page: Page, wish: ExportRequest): Promise<void> {
+export async function copy_command(page: Page, request: ExportRequest): Promise<void> {
   try {
-    const { command } = await page.connection.request('command', wish);
+    const { command } = await page.connection.request('command', request);
     await navigator.clipboard.writeText(command);
     page.notify(`Copied: ${command}`);
   } catch (fault) {

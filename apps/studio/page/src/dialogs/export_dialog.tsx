@@ -67,12 +67,12 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const format = formats.find((one) => one.ending === ending);
   const [as_seen, set_as_seen] = useState(true);
   const camera = is_picture(ending) && as_seen ? page.view?.orbit.as_document : undefined;
-  const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
+  const request = { format: ending, name: null, options: camera ? { ...options, camera } : options };
   const make = (): void => {
     set_busy(true);
     set_made(null);
     page.connection
-      .request('export', wish)
+      .request('export', request)
       .then((answer) => {
         set_made(answer.file);
         take_file(answer.file);
@@ -81,7 +81,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
       .finally(() => set_busy(false));
   };
   const footer = (
-    <ExportFooter wish={wish}>
+    <ExportFooter request={request}>
       <Button kind="main" icon="export" is_off={is_busy || !good} press={make}>
         {is_busy ? 'Exporting…' : 'Export'}
       </Button>

@@ -7,14 +7,14 @@ import { use_page } from '../page/use_page.ts';
 import type { ExportRequest } from '../server/protocol.ts';
 import { copy_command } from './copy_command.ts';
 
-export function ExportFooter({ wish, children }: { wish: ExportRequest; children: ReactNode }): ReactElement {
+export function ExportFooter({ request, children }: { request: ExportRequest; children: ReactNode }): ReactElement {
   const page = use_page();
   return (
     <>
       <Button
         icon="command"
         tip="The line that does the same in a terminal"
-        press={() => void copy_command(page, wish)}
+        press={() => void copy_command(page, request)}
       >
         Copy as command
       </Button>

@@ -49,11 +49,11 @@ export function RecordDialog({ close }: { close: () => void }): ReactElement {
     frames: { from, to, step: 1 / rate },
     ...(camera ? { camera } : {}),
   };
-  const wish = { format: ending, name: null, options };
+  const request = { format: ending, name: null, options };
   const footer = (
-    <ExportFooter wish={wish}>
+    <ExportFooter request={request}>
       {is_busy && <Button press={() => page.tool(Recordings).film.cancel()}>Cancel</Button>}
-      <Button kind="main" icon="film" is_off={is_busy || !good} press={() => page.tool(Recordings).film.make(wish)}>
+      <Button kind="main" icon="film" is_off={is_busy || !good} press={() => page.tool(Recordings).film.make(request)}>
         {is_busy ? 'Recording…' : `Record ${frames} frames`}
       </Button>
     </ExportFooter>

@@ -17,11 +17,11 @@ export class Recording {
     private readonly takes_: boolean,
   ) {}
 
-  make(wish: ExportRequest): void {
+  make(request: ExportRequest): void {
     if (this.is_busy.get()) return;
     this.is_busy.set(true);
     this.made.set(null);
-    this.job_ = this.page_.connection.begin('export', wish);
+    this.job_ = this.page_.connection.begin('export', request);
     this.job_.answer
       .then(({ file }) => {
         this.made.set(file);

@@ -47,11 +47,11 @@ export function StillDialog({ close }: { close: () => void }): ReactElement {
     ...(time > 0 ? { time } : {}),
     ...(view ? { camera: view.orbit.as_document } : {}),
   };
-  const wish = { format: '.png', name: null, options };
+  const request = { format: '.png', name: null, options };
   const footer = (
-    <ExportFooter wish={wish}>
+    <ExportFooter request={request}>
       {is_busy && <Button press={() => still.cancel()}>Cancel</Button>}
-      <Button kind="main" icon="camera" is_off={is_busy || !good} press={() => still.make(wish)}>
+      <Button kind="main" icon="camera" is_off={is_busy || !good} press={() => still.make(request)}>
         {is_busy ? 'Rendering…' : 'Render'}
       </Button>
     </ExportFooter>

@@ -10,7 +10,7 @@ import type { Patch } from '../values/patch.ts';
 import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from '../values/patch.ts';
 import type { DocumentState, WaitingEdits } from './document_state.ts';
 import { kNoDocument, opened_state, reading_of, tree_of, whole_reading } from './document_state.ts';
-import type { EditWish, QueuedEdit } from './edit_queue.ts';
+import type { EditOptions, QueuedEdit } from './edit_queue.ts';
 import { EditQueue, kDropped } from './edit_queue.ts';
 import { text_hash } from './hash.ts';
 import { text_with_edits } from './text_edits.ts';
@@ -76,8 +76,8 @@ export class DocumentModel {
 
   /// Asks the library to change the text, as one step. Waiting edits that set one value repeatedly become one edit with
   /// the last value. Resolves to what was wrong, or null.
-  edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
-    const made = this.waiting_.add(edits, label, wish);
+  edit(edits: Edit[], label: string, options: EditOptions = {}): Promise<Fault[] | null> {
+    const made = this.waiting_.add(edits, label, options);
     void this.ask_next();
     return made;
   }
@@ -203,16 +203,16 @@ export class DocumentModel {
     if (waiting.length > 0 || this.state.get().waiting.length > 0) this.state.merge({ waiting });
   }
 
-  private async ask(wish: QueuedEdit): Promise<Fault[] | null | 'lost'> {
+  private async ask(queued: QueuedEdit): Promise<Fault[] | null | 'lost'> {
     const opened = this.opened_;
-    const condition = wish.wish.only_if_good ? { only_if_good: true } : {};
+    const condition = queued.options.only_if_good ? { only_if_good: true } : {};
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
-        const edited = await this.connection_().request('edit', { base, edits: wish.edits, ...condition });
+        const edited = await this.connection_().request('edit', { base, edits: queued.edits, ...condition });
         if (opened !== this.opened_) return kDropped; // the edit was made in the previous document
         const patch = patch_of_plain(edited.patch);
-        const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
+        const step = { label: queued.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
         this.typed_base_ = { text, patch };
         const hash = this.change_text(apply_patch(text, patch), patch.length > 0 ? with_step(undo, step) : undo);
         if (hash === edited.hash) this.take_reading(hash, edited);
@@ -222,18 +222,18 @@ export class DocumentModel {
         if (opened !== this.opened_) return kDropped;
         if (fault instanceof Lost) {
           // The edit stays in the queue and is sent again when the server is back.
-          this.waiting_.put_back(wish);
+          this.waiting_.put_back(queued);
           return 'lost';
         }
         if (!(fault instanceof Refusal)) throw fault;
-        if (!fault.facts.stale || tries > 0) return this.refuse(fault, wish);
+        if (!fault.facts.stale || tries > 0) return this.refuse(fault, queued);
         this.send_whole();
       }
     }
   }
 
-  private refuse(refusal: Refusal, wish: QueuedEdit): Fault[] {
-    if (!wish.wish.only_if_good) this.tell_(refusal.message);
+  private refuse(refusal: Refusal, queued: QueuedEdit): Fault[] {
+    if (!queued.options.only_if_good) this.tell_(refusal.message);
     return refusal.reasons;
   }
 

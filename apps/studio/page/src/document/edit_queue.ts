@@ -5,7 +5,7 @@ import { Refusal } from '../server/protocol.ts';
 import type { WaitingEdits } from './document_state.ts';
 
 /// Options of an edit.
-export interface EditWish {
+export interface EditOptions {
   only_if_good?: boolean | undefined; // true: not made if the text would then have errors
   choose?: string | undefined; // path to choose after the edit
 }
@@ -13,7 +13,7 @@ export interface EditWish {
 export interface QueuedEdit {
   edits: Edit[];
   label: string;
-  wish: EditWish;
+  options: EditOptions;
   done: ((faults: Fault[] | null) => void)[];
 }
 
@@ -30,14 +30,14 @@ export class EditQueue {
 
   /// Adds edits that form one step. If they set the same values as the last waiting edits, they replace them. Resolves
   /// to what was wrong, or null.
-  add(edits: Edit[], label: string, wish: EditWish): Promise<Fault[] | null> {
+  add(edits: Edit[], label: string, options: EditOptions): Promise<Fault[] | null> {
     return new Promise((done) => {
       const last = this.queue_.at(-1);
       if (last && sets_the_same(last.edits, edits)) {
         last.edits = edits;
         last.done.push(done);
       } else {
-        this.queue_.push({ edits, label, wish, done: [done] });
+        this.queue_.push({ edits, label, options, done: [done] });
       }
     });
   }

@@ -6,7 +6,7 @@ export interface DifferentLine {
   text: string;
 }
 
-const kMostCells = 4e6;
+const kMaxCells = 4e6;
 
 /// Returns only the differing lines, with one line of context. Uses the longest common subsequence between equal
 /// beginning and end.
@@ -26,7 +26,7 @@ export function line_difference(before: string, after: string): DifferentLine[] 
 function middle(a: string[], b: string[]): DifferentLine[] {
   const minus = (text: string): DifferentLine => ({ sign: '-', text });
   const plus = (text: string): DifferentLine => ({ sign: '+', text });
-  if (a.length * b.length > kMostCells) return [...a.map(minus), ...b.map(plus)];
+  if (a.length * b.length > kMaxCells) return [...a.map(minus), ...b.map(plus)];
   const width = b.length + 1;
   const common = new Uint32Array((a.length + 1) * width);
   const at = (i: number, j: number): number => common[i * width + j] ?? 0;

@@ -16,13 +16,13 @@ export interface UndoState {
 }
 
 export const kTypingPause = 700; // ms of pause after which typing begins a new step
-const kMostSteps = 1000;
+const kMaxSteps = 1000;
 
 export const kNothingDone: UndoState = { done: [], undone: [] };
 
 /// Returns the state with another step. Undone steps are dropped, and so are the oldest steps if there are too many.
 export function with_step(state: UndoState, step: UndoStep): UndoState {
-  return { done: [...state.done, step].slice(-kMostSteps), undone: [] };
+  return { done: [...state.done, step].slice(-kMaxSteps), undone: [] };
 }
 
 /// Returns the state with the last step replaced.

@@ -82,10 +82,10 @@ export function snapped(
 ): Snapped {
   const pixel = scale.pixel;
   const nearest = (value: number, lines: readonly number[], reach: number): number | null => {
-    let [best, least] = [null as number | null, reach];
+    let [best, min] = [null as number | null, reach];
     for (const line of lines) {
       const away = Math.abs(line - value);
-      if (away <= least) [best, least] = [line, away];
+      if (away <= min) [best, min] = [line, away];
     }
     return best;
   };

@@ -15,8 +15,8 @@ import type { Frame, Point, Shape } from './shape.ts';
 import {
   frame_of,
   is_two_sided,
-  least_points,
   line_of,
+  min_points,
   mirrored,
   with_point,
   with_point_after,
@@ -56,7 +56,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
   );
   const index = Math.min(chosen, shape.points.length - 1);
   const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
-  const least = least_points(shape);
+  const min = min_points(shape);
   const focus = (which: number): void => {
     choose(which);
     focus_point(root.current, which);
@@ -67,7 +67,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
     focus(made.index);
   };
   const remove = (which: number): void => {
-    if (shape.points.length <= least) return;
+    if (shape.points.length <= min) return;
     commit(without_point(shape, which));
     focus(Math.max(0, which - 1));
   };
@@ -126,7 +126,7 @@ export function PlaneEditor(props: PlaneEditorProps): ReactElement {
           is_small
           icon="close"
           label={`Remove the point of ${label}`}
-          is_off={shape.points.length <= least}
+          is_off={shape.points.length <= min}
           press={() => remove(index)}
         />
         <IconButton

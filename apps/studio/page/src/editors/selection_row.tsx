@@ -40,7 +40,7 @@ export function SelectionRow({
   };
   return (
     <div className={`stacked selection of-${size}`}>
-      <Cells label={label} path={path} entries={entries} most={size === 'large' ? 1200 : 120} put={put_all} />
+      <Cells label={label} path={path} entries={entries} max={size === 'large' ? 1200 : 120} put={put_all} />
       {entries.map((entry, index) => (
         <div className="listed" key={index}>
           <TextField
@@ -84,18 +84,18 @@ interface CellsProps {
   label: string;
   path: string;
   entries: Json[];
-  most: number;
+  max: number;
   put: (entries: Json[]) => void;
 }
 
 /// A click on a cell switches it. A drag gives all cells the state of the first one, as one step.
-function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
+function Cells({ label, path, entries, max, put }: CellsProps): ReactElement {
   const { grown } = use_store(use_page().growth);
   const component = String(steps_of(path)[1] ?? '');
   // Left-out instances are not among the grown ones.
-  const left_out = named_numbers(entries, most).size;
+  const left_out = named_numbers(entries, max).size;
   const known = grown?.components?.[component]?.instances;
-  const count = Math.min(most, Math.max(count_named(entries), known === undefined ? kFewest : known + left_out));
+  const count = Math.min(max, Math.max(count_named(entries), known === undefined ? kFewest : known + left_out));
   const named = named_numbers(entries, count);
   const drawn = use_held<DrawnWay>();
   const [focused, set_focused] = useState(0);

@@ -34,7 +34,7 @@ export function shape_of(value: Json | undefined, together: Form = 'line'): Shap
 }
 
 /// Returns the minimum number of points of a shape.
-export function least_points({ form }: Shape): number {
+export function min_points({ form }: Shape): number {
   return { function: 1, line: 2, polygon: 3, silhouette: 2, profile: 2 }[form];
 }
 
@@ -153,20 +153,20 @@ export function with_room_for({ x, y }: Frame, points: readonly Point[]): Frame 
   };
 }
 
-const kLeastGap = 0.001; // between the points of a function, as a share of its range
+const kMinGap = 0.001; // between the points of a function, as a share of its range
 
 /// Returns the shape with one point moved. Points of functions and profiles keep their order and stay in their range.
 export function with_point_at(shape: Shape, index: number, [x, y]: Point, frame: Frame, digits: number): Shape {
   if (shape.form === 'profile') {
-    const least = kLeastGap * (frame.y.high - frame.y.low);
+    const min = kMinGap * (frame.y.high - frame.y.low);
     const [below, above] = [
-      (shape.points[index - 1]?.[1] ?? -Infinity) + least,
-      (shape.points[index + 1]?.[1] ?? Infinity) - least,
+      (shape.points[index - 1]?.[1] ?? -Infinity) + min,
+      (shape.points[index + 1]?.[1] ?? Infinity) - min,
     ];
     const made: Point = [Math.max(0, rounded(x, digits)), Math.min(above, Math.max(below, rounded(y, digits)))];
     return { ...shape, points: shape.points.map((one, k) => (k === index ? made : one)) };
   }
-  const gap = kLeastGap * (frame.x.high - frame.x.low);
+  const gap = kMinGap * (frame.x.high - frame.x.low);
   const low = index > 0 ? (shape.points[index - 1]?.[0] ?? 0) + gap : frame.x.low;
   const high = index + 1 < shape.points.length ? (shape.points[index + 1]?.[0] ?? 1) - gap : frame.x.high;
   const held = shape.form === 'function' ? Math.min(Math.max(x, low), high) : x;
@@ -223,13 +223,13 @@ export function without_point(shape: Shape, index: number): Shape {
 
 /// Returns the index of the first point of the nearest piece.
 function nearest_piece(points: readonly Point[], [x, y]: Point, is_ring: boolean): number {
-  let [best, least] = [points.length - 1, Infinity];
+  let [best, min] = [points.length - 1, Infinity];
   for (let k = 0; k + (is_ring ? 0 : 1) < points.length; k += 1) {
     const [[x0, y0], [x1, y1]] = [points[k] ?? [0, 0], points[(k + 1) % points.length] ?? [0, 0]];
     const [dx, dy] = [x1 - x0, y1 - y0];
     const along = Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy || 1)));
     const away = (x0 + along * dx - x) ** 2 + (y0 + along * dy - y) ** 2;
-    if (away < least) [best, least] = [k, away];
+    if (away < min) [best, min] = [k, away];
   }
   return best;
 }

@@ -9,13 +9,13 @@ import { use_document, use_page } from '../page/use_page.ts';
 import type { Thumbnail as MadeThumbnail } from '../server/protocol.ts';
 
 const kMade = new Map<string, Promise<MadeThumbnail | null>>();
-const kMostKept = 500;
+const kMaxKept = 500;
 
 /// Requests each picture once while the document is open.
 function thumbnail_of(page: Page, key: string, file: string, size: number): Promise<MadeThumbnail | null> {
   const known = kMade.get(key);
   if (known) return known;
-  if (kMade.size >= kMostKept) kMade.clear();
+  if (kMade.size >= kMaxKept) kMade.clear();
   const made = page.connection
     .request('picture', { file, size })
     .then((answer) => answer.thumbnail)

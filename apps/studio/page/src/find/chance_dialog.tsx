@@ -16,7 +16,7 @@ import type { StateValues } from './use_stills.ts';
 import { use_stills } from './use_stills.ts';
 
 const kSize = { width: 224, height: 168 };
-const kMostSeed = 9999;
+const kMaxSeed = 9999;
 
 export function ChanceDialog({ close }: { close: () => void }): ReactElement {
   const page = use_page();
@@ -78,7 +78,7 @@ function use_states(free: Variable[], sows: boolean, throws: number): StateValue
   const [kept, keep] = useState<{ key: string; states: StateValues[] }>({ key: '', states: [] });
   const key = JSON.stringify([free.map((one) => [one.name, one.min, one.max]), sows, throws]);
   if (kept.key === key) return kept.states;
-  const seed = (): Record<string, Json> => (sows ? { seed: 1 + Math.floor(Math.random() * kMostSeed) } : {});
+  const seed = (): Record<string, Json> => (sows ? { seed: 1 + Math.floor(Math.random() * kMaxSeed) } : {});
   const states = Array.from({ length: 9 }, () => ({ ...values_by_chance(free, step_of, Math.random), ...seed() }));
   keep({ key, states });
   return states;

@@ -95,7 +95,7 @@ function show_pin(page: Page, pin: Pin, canvas: HTMLCanvasElement, say: (note: s
     view.paint(page.shell.get().is_dark, shows_ground);
   };
   const open = async (): Promise<void> => {
-    connection.tell('view', { ...budgets_of(main), ...page.tool(TimeModel).wish });
+    connection.tell('view', { ...budgets_of(main), ...page.tool(TimeModel).request });
     const { text, path, model } = pin;
     const opened = await connection.request('open', model !== null ? { text, model } : { text, path });
     if (!opened.good) say('This state has faults');
@@ -117,7 +117,7 @@ function show_pin(page: Page, pin: Pin, canvas: HTMLCanvasElement, say: (note: s
     on_lost: () => say('The server is gone'),
   });
   // A pin shows the document at the time of the main view.
-  const times = new LatestSender(() => connection.request('view', page.tool(TimeModel).wish));
+  const times = new LatestSender(() => connection.request('view', page.tool(TimeModel).request));
   let time = page.tool(TimeModel).time;
   const follow_time = (): void => {
     if (time === page.tool(TimeModel).time) return;

@@ -15,7 +15,7 @@ export interface StripState {
 }
 
 const kCount = 5;
-const kMostChoices = 8;
+const kMaxChoices = 8;
 
 /// Returns five values over a range, including its ends. Returns fewer if whole numbers leave no space for five.
 export function values_over(low: number, high: number, is_whole: boolean): number[] {
@@ -30,7 +30,7 @@ export function values_over(low: number, high: number, is_whole: boolean): numbe
 export function strip_states(row: Row, value: Json | undefined): StripState[] {
   if (row.kind === 'boolean') return [false, true].map((one) => ({ value: one, text: one ? 'yes' : 'no' }));
   if (row.kind === 'choice')
-    return (row.choices ?? []).length <= kMostChoices ? (row.choices ?? []).map(plain_state) : [];
+    return (row.choices ?? []).length <= kMaxChoices ? (row.choices ?? []).map(plain_state) : [];
   if ((row.kind !== 'number' && row.kind !== 'integer') || !row.usual) return [];
   const middles = values_over(row.usual[0], row.usual[1], row.kind === 'integer');
   const ends = ends_of(value);

@@ -27,7 +27,7 @@ export interface MeantValues {
 
 const kNumbers: ReadonlySet<string> = new Set(['number', 'integer']);
 const kVectors: ReadonlySet<string> = new Set(['vector', 'facing', 'box', 'positions', 'points']);
-const kMost = 1000; // maximum number of expressions in one request
+const kMax = 1000; // maximum number of expressions in one request
 const kStill = 1e-9; // a smaller difference counts as no movement
 
 /// Returns the expressions that an object has instead of numbers, by their paths.
@@ -39,7 +39,7 @@ export function expressions_in(
 ): Map<string, Json> {
   const found = new Map<string, Json>();
   const note = (one: Json | undefined, at: string): void => {
-    if (one !== undefined && one !== null && typeof one !== 'number' && found.size < kMost) found.set(at, one);
+    if (one !== undefined && one !== null && typeof one !== 'number' && found.size < kMax) found.set(at, one);
   };
   const visit_vector = (one: readonly Json[], at: string): void => {
     for (const [k, element] of one.entries()) {

@@ -16,12 +16,12 @@ import type { Spot } from './spot.ts';
 import { vec_of } from './spot.ts';
 
 const kAxes = ['x', 'y', 'z'] as const;
-const kMostPoints = 64; // points of a list; longer lists are edited in their rows
-const kLeastRise = 1e-3; // minimum height between points of a profile, metres
+const kMaxPoints = 64; // points of a list; longer lists are edited in their rows
+const kMinRise = 1e-3; // minimum height between points of a profile, metres
 
 export function points_groups(spot: Spot, row: Row): GripGroup[] {
   const said = spot.value[row.name];
-  if (!Array.isArray(said) || said.length > kMostPoints) return [];
+  if (!Array.isArray(said) || said.length > kMaxPoints) return [];
   const points = said.map(vec_of);
   const path = spot.path_of(row.name);
   const shown = points.map((point) => point && point_in(spot.frame, point));
@@ -71,7 +71,7 @@ export function profile_group(spot: Spot, row: Row, sight: Sight): GripGroup | n
     const moved = (by: Vec, step: number): Json => {
       const made = [
         Math.max(0, rounded(radius + dot(by, across) / scale, step)),
-        Math.min(above - kLeastRise, Math.max(below + kLeastRise, rounded(height + dot(by, up) / scale, step))),
+        Math.min(above - kMinRise, Math.max(below + kMinRise, rounded(height + dot(by, up) / scale, step))),
       ];
       return shape.points.map((old, index) => (index === k ? made : [...old]));
     };

@@ -17,7 +17,7 @@ import { pose_group } from './pose_group.ts';
 import type { Spot } from './spot.ts';
 import { pose_of, vec_of } from './spot.ts';
 
-const kMostGroups = 200;
+const kMaxGroups = 200;
 const kDeepest = 12; // levels of tables below the chosen one
 
 interface Walk {
@@ -52,7 +52,7 @@ export function groups_of_object(
     };
     visit(walk, spot, frame, 0);
   }
-  return walk.groups.slice(0, kMostGroups);
+  return walk.groups.slice(0, kMaxGroups);
 }
 
 /// Returns the frame that a nested table with a translation and a rotation, such as the `frame` of components, gives to
@@ -65,7 +65,7 @@ function own_frame(tables: Tables, row_tables: readonly ParameterTable[], object
 
 /// `base` is the frame before the object's own pose.
 function visit(walk: Walk, spot: Spot, base: Frame3, depth: number): void {
-  if (walk.groups.length >= kMostGroups || depth > kDeepest) return;
+  if (walk.groups.length >= kMaxGroups || depth > kDeepest) return;
   const { table, value, frame } = spot;
   const has_pose = table.rows.some((row) => row.in_space === 'shift');
   const posed: Spot = has_pose ? { ...spot, frame: framed(frame, pose_of(table, value)) } : spot;

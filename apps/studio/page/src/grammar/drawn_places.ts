@@ -27,7 +27,7 @@ export function nearest_place(
   project: (spot: Spot) => [number, number] | null,
   [x, y]: [number, number],
 ): number | null {
-  let [best, least] = [null as number | null, kReach];
+  let [best, min] = [null as number | null, kReach];
   for (let at = 0; at + kNumbers <= places.length; at += kNumbers) {
     const from = project([places[at + 1] ?? 0, places[at + 2] ?? 0, places[at + 3] ?? 0]);
     const to = project([places[at + 4] ?? 0, places[at + 5] ?? 0, places[at + 6] ?? 0]);
@@ -35,7 +35,7 @@ export function nearest_place(
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     const along = Math.min(1, Math.max(0, ((x - from[0]) * dx + (y - from[1]) * dy) / (dx * dx + dy * dy || 1)));
     const away = Math.hypot(from[0] + along * dx - x, from[1] + along * dy - y);
-    if (away < least) [best, least] = [places[at] ?? null, away];
+    if (away < min) [best, min] = [places[at] ?? null, away];
   }
   return best;
 }

@@ -31,12 +31,12 @@ const kAtRest: GrowthLookState = {
 
 export class GrowthLook {
   readonly state = new Store<GrowthLookState>(kAtRest);
-  private heard_: Grown | null = null;
-  private readonly views_ = new LatestSender(() => this.page_.connection.request('view', { growth: this.wish }));
+  private known_grown_: Grown | null = null;
+  private readonly views_ = new LatestSender(() => this.page_.connection.request('view', { growth: this.request }));
   private readonly overlays_ = new LatestSender(() => this.fetch());
 
   constructor(private readonly page_: Page) {
-    page_.growth.subscribe(() => this.hear(page_.growth.get().grown));
+    page_.growth.subscribe(() => this.on_grown(page_.growth.get().grown));
     // A server that is connected again does not know the step.
     page_.server.subscribe(() => {
       if (page_.server.get().link === 'open' && this.state.get().is_open) this.views_.ask();
@@ -94,15 +94,15 @@ export class GrowthLook {
     if (was_open) this.views_.ask();
   }
 
-  private get wish(): { step: number | null; recorded: boolean; of: string | null } {
+  private get request(): { step: number | null; recorded: boolean; of: string | null } {
     const { is_open, step, of } = this.state.get();
     return { step, recorded: is_open, of };
   }
 
   /// Requests new overlays after each growth and for each step.
-  private hear(grown: Grown | null): void {
-    if (grown === this.heard_) return;
-    this.heard_ = grown;
+  private on_grown(grown: Grown | null): void {
+    if (grown === this.known_grown_) return;
+    this.known_grown_ = grown;
     if (!grown || !this.state.get().is_open) return;
     const { of } = this.state.get();
     if (grown.growing) this.state.merge({ growing: grown.growing });

@@ -43,12 +43,12 @@ function Growing(): ReactElement | null {
   const { of, growing } = use_store(look.state);
   const names = Object.keys(growing);
   if (names.length < 2) return null;
-  const most = Math.max(...Object.values(growing));
+  const max = Math.max(...Object.values(growing));
   return (
     <label className="growth-of">
       <span className="quiet">Steps of</span>
       <select className="select" value={of ?? ''} onChange={(event) => look.look_at(event.target.value || null)}>
-        <option value="">all plants, side by side ({most})</option>
+        <option value="">all plants, side by side ({max})</option>
         {names.map((name) => (
           <option key={name} value={name}>
             {name} ({growing[name]})

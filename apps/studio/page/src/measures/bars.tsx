@@ -10,7 +10,7 @@ const kHigh = 28; // pixels
 
 export function Bars({ label, values }: { label: string; values: readonly Json[] }): ReactElement {
   const numbers = values.map((one) => (typeof one === 'number' ? one : 0));
-  const most = Math.max(...numbers, 1e-12);
+  const max = Math.max(...numbers, 1e-12);
   return (
     <span
       className="bars"
@@ -19,7 +19,7 @@ export function Bars({ label, values }: { label: string; values: readonly Json[]
       data-tip={numbers.map((one, k) => `${k}: ${shown_measure(one)}`).join('\n')}
     >
       {numbers.map((one, k) => (
-        <span key={k} style={{ height: `${Math.max(1, (kHigh * one) / most)}px` }} />
+        <span key={k} style={{ height: `${Math.max(1, (kHigh * one) / max)}px` }} />
       ))}
     </span>
   );
@@ -33,7 +33,7 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
     return typeof value === 'number' ? value : 0;
   };
   const shown = (layer: Json, name: string): string => shown_measure(number(layer, name));
-  const most = Math.max(...all.map((one) => number(one, 'leaf_area')), 1e-12);
+  const max = Math.max(...all.map((one) => number(one, 'leaf_area')), 1e-12);
   if (all.length === 0) return null;
   return (
     <div className="row-group">
@@ -42,7 +42,7 @@ export function Layers({ layers }: { layers: Json }): ReactElement | null {
         {[...all].reverse().map((one, k) => (
           <li key={k} data-tip={`${shown(one, 'low')} to ${shown(one, 'high')} m: ${shown(one, 'leaf_area')} m²`}>
             <span className="quiet">{shown(one, 'low')} m</span>
-            <span className="layer" style={{ width: `${(100 * number(one, 'leaf_area')) / most}%` }} />
+            <span className="layer" style={{ width: `${(100 * number(one, 'leaf_area')) / max}%` }} />
             <span>{shown(one, 'leaf_area')} m²</span>
           </li>
         ))}

@@ -26,10 +26,10 @@ export class InstanceChoice {
 
   private readonly again_ = new LatestSender(() => this.ask_again());
   private readonly newest_ = new Newest();
-  private heard_: Grown | null = null;
+  private known_grown_: Grown | null = null;
 
   constructor(private readonly page_: Page) {
-    page_.growth.subscribe(() => this.hear(page_.growth.get().grown));
+    page_.growth.subscribe(() => this.on_grown(page_.growth.get().grown));
   }
 
   /// Returns the clicked shoot if operations could act on it.
@@ -101,9 +101,9 @@ export class InstanceChoice {
   }
 
   /// Requests the shoot again after a growth, since its course and its year may have changed. Drags are ignored.
-  private hear(grown: Grown | null): void {
-    if (grown === this.heard_) return;
-    this.heard_ = grown;
+  private on_grown(grown: Grown | null): void {
+    if (grown === this.known_grown_) return;
+    this.known_grown_ = grown;
     if (grown && !grown.dragged && InstanceChoice.shoot_of(this.found.get())) this.again_.ask();
   }
 

@@ -4,7 +4,7 @@
 import type { Store } from '../base/store.ts';
 import type { ToastList } from '../base/toast_list.ts';
 import type { DocumentModel } from '../document/document_model.ts';
-import type { EditWish } from '../document/edit_queue.ts';
+import type { EditOptions } from '../document/edit_queue.ts';
 import type { Connection } from '../server/connection.ts';
 import type { Edit, Fault, OpenRequest } from '../server/protocol.ts';
 import type { Tables } from '../tables/tables.ts';
@@ -48,7 +48,7 @@ export interface Page extends PageStores {
   choose(path: string): void;
 
   /// Changes the document as one step of the undo list. Returns the faults that prevent the edit, or null.
-  edit(edits: Edit[], label: string, wish?: EditWish): Promise<Fault[] | null>;
+  edit(edits: Edit[], label: string, options?: EditOptions): Promise<Fault[] | null>;
   set_value(path: string, value: Json, label: string): void;
 
   /// Grows with other values temporarily. The text stays.
@@ -61,10 +61,10 @@ export interface Page extends PageStores {
   redo(): Promise<void>;
 
   /// Opens a document. Returns false and reports the reason if this fails.
-  open(wish: OpenRequest): Promise<boolean>;
+  open(request: OpenRequest): Promise<boolean>;
 
   /// Opens a document. Returns the reason if this fails, else null.
-  try_open(wish: OpenRequest): Promise<string | null>;
+  try_open(request: OpenRequest): Promise<string | null>;
 
   attach_view(view: View): void;
   change_view(part: Partial<ViewState>): void;

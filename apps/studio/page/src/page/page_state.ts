@@ -35,10 +35,10 @@ export function with_failure(growth: GrowthState, { message, faults = [], contin
 const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture', 'question']);
 
 /// Other work may continue when this work ends.
-export function with_work(growth: GrowthState, news: Working): GrowthState {
-  if (kBeside.has(news.job)) return growth;
-  if (news.stage !== null) return { ...growth, working: news };
-  return growth.working?.job === news.job ? { ...growth, working: null } : growth;
+export function with_work(growth: GrowthState, message: Working): GrowthState {
+  if (kBeside.has(message.job)) return growth;
+  if (message.stage !== null) return { ...growth, working: message };
+  return growth.working?.job === message.job ? { ...growth, working: null } : growth;
 }
 
 export interface ServerState {

@@ -11,7 +11,7 @@ import { component_groups } from '../tables/tables.ts';
 import type { Json } from '../values/json.ts';
 import { member_of, node_at, path_below, steps_of, value_at } from '../values/path.ts';
 import { text_with_off } from './operation_text.ts';
-import type { DeedChoice } from './shoot_cut.ts';
+import type { ActionChoice } from './shoot_cut.ts';
 import { kFirstChoice, label_of, operation_of } from './shoot_cut.ts';
 import { ShootWalk } from './shoot_walk.ts';
 
@@ -22,7 +22,7 @@ export interface LookedAt {
 }
 
 export class Pruning {
-  readonly choice = new Store<DeedChoice>(kFirstChoice);
+  readonly choice = new Store<ActionChoice>(kFirstChoice);
   readonly looked_at = new Store<LookedAt | null>(null);
   readonly told = new Store<{ component: string; operations: OperationEffects } | null>(null);
   readonly walk: ShootWalk;

@@ -14,7 +14,7 @@ import { kept_metamers, parts_of } from './shoot_cut.ts';
 import { place_of } from './shoot_text.ts';
 import { use_plan_component } from './use_plan_component.ts';
 
-const kMostDrawn = 400; // number of positions of an operation; more would hide the plant
+const kMaxDrawn = 400; // number of positions of an operation; more would hide the plant
 
 export function PruningOverlay(): ReactElement | null {
   const page = use_page();
@@ -26,11 +26,11 @@ export function PruningOverlay(): ReactElement | null {
   use_told_operations();
   use_store(page.view_facts); // the camera may have moved
   const { view } = page;
-  const places = looked_at ? (told?.operations.places.slice(0, kMostDrawn) ?? []) : [];
+  const places = looked_at ? (told?.operations.places.slice(0, kMaxDrawn) ?? []) : [];
   if (!view || (!shoot && places.length === 0)) return null;
   const held = shoot && place_of(shoot);
   const held_at = held && view.eye.project(held);
-  const parts = shoot && parts_of(shoot, choice.deed === 'cut' ? kept_metamers(shoot, choice) : Infinity);
+  const parts = shoot && parts_of(shoot, choice.action === 'cut' ? kept_metamers(shoot, choice) : Infinity);
   return (
     <svg className="pruning-overlay" aria-hidden="true" data-places={places.length} data-shoot={shoot?.shoot}>
       {places.map((place, k) => (

@@ -4,11 +4,11 @@
 import type { FoundShoot } from '../page/instance_choice.ts';
 import type { Json } from '../values/json.ts';
 
-export type Deed = 'cut' | 'bend' | 'tie' | 'mark';
+export type ShootAction = 'cut' | 'bend' | 'tie' | 'mark';
 
 /// The settings of the tool. Settings of one act are kept while another one is tried.
-export interface DeedChoice {
-  deed: Deed;
+export interface ActionChoice {
+  action: ShootAction;
   cut_at: 'here' | 'base' | 'count';
   count: number; // number of metamers that stay
   inclination: number; // degrees
@@ -18,8 +18,8 @@ export interface DeedChoice {
   season: 'winter' | 'summer';
 }
 
-export const kFirstChoice: DeedChoice = {
-  deed: 'cut',
+export const kFirstChoice: ActionChoice = {
+  action: 'cut',
   cut_at: 'here',
   count: 3,
   inclination: 0,
@@ -30,44 +30,44 @@ export const kFirstChoice: DeedChoice = {
 };
 
 /// Returns the number of metamers of the shoot that a cut leaves.
-export function kept_metamers(shoot: FoundShoot, choice: DeedChoice): number {
+export function kept_metamers(shoot: FoundShoot, choice: ActionChoice): number {
   if (choice.cut_at === 'base') return 0;
   return choice.cut_at === 'here' ? shoot.metamer : Math.max(0, Math.round(choice.count));
 }
 
 /// Returns the reason why the act is impossible, or an empty text.
-export function why_not(shoot: FoundShoot, choice: DeedChoice): string {
+export function why_not(shoot: FoundShoot, choice: ActionChoice): string {
   const is_stem = shoot.shoot === 'main';
-  if (choice.deed === 'tie' && is_stem) return 'A stem cannot be tied down; choose a branch';
-  const is_all = choice.deed === 'cut' && kept_metamers(shoot, choice) === 0 && is_stem;
+  if (choice.action === 'tie' && is_stem) return 'A stem cannot be tied down; choose a branch';
+  const is_all = choice.action === 'cut' && kept_metamers(shoot, choice) === 0 && is_stem;
   return is_all ? 'Nothing would be left of the tree' : '';
 }
 
 /// Returns the operation, after the shown iteration. `trees` is the number of trees that it could mean.
-export function operation_of(shoot: FoundShoot, choice: DeedChoice, trees: number): { [name: string]: Json } {
+export function operation_of(shoot: FoundShoot, choice: ActionChoice, trees: number): { [name: string]: Json } {
   const head: { [name: string]: Json } = {
-    do: choice.deed,
+    do: choice.action,
     at: shoot.iteration,
     ...(choice.season === 'summer' ? { season: 'summer' } : {}),
     shoots: shoot.shoot,
     ...(trees > 1 ? { tree: shoot.tree } : {}),
   };
-  if (choice.deed === 'cut') return { ...head, above: kept_metamers(shoot, choice) };
-  if (choice.deed === 'bend')
+  if (choice.action === 'cut') return { ...head, above: kept_metamers(shoot, choice) };
+  if (choice.action === 'bend')
     return {
       ...head,
       below: shoot.metamer,
       metamers: Math.max(1, Math.round(choice.bent)),
       inclination: choice.inclination,
     };
-  if (choice.deed === 'tie')
+  if (choice.action === 'tie')
     return { ...head, ...(shoot.metamer > 0 ? { below: shoot.metamer } : {}), anchor: 'ground', length: choice.string };
   return { ...head, state: choice.state };
 }
 
 /// Returns the label of the step in the undo list.
-export function label_of(shoot: FoundShoot, choice: DeedChoice): string {
-  return `${choice.deed[0]?.toUpperCase() ?? ''}${choice.deed.slice(1)} ${shoot.shoot}`;
+export function label_of(shoot: FoundShoot, choice: ActionChoice): string {
+  return `${choice.action[0]?.toUpperCase() ?? ''}${choice.action.slice(1)} ${shoot.shoot}`;
 }
 
 /// Returns the shoot's course in two parts: the part that stays and the part beyond.

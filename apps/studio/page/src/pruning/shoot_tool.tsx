@@ -12,11 +12,11 @@ import type { FoundShoot } from '../page/instance_choice.ts';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import { use_page } from '../page/use_page.ts';
 import { Pruning } from './pruning.ts';
-import type { Deed, DeedChoice } from './shoot_cut.ts';
+import type { ActionChoice, ShootAction } from './shoot_cut.ts';
 import { kept_metamers, why_not } from './shoot_cut.ts';
 import { ShootWalkBar } from './shoot_walk_bar.tsx';
 
-const kDeeds: [Deed, string][] = [
+const kActions: [ShootAction, string][] = [
   ['cut', 'Cut'],
   ['bend', 'Bend'],
   ['tie', 'Tie'],
@@ -66,11 +66,11 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
       <ShootWalkBar shoot={shoot} act={act} />
       <Segments
         label="What is done to the shoot"
-        value={choice.deed}
-        choices={kDeeds}
-        choose={(deed) => pruning.choice.merge({ deed })}
+        value={choice.action}
+        choices={kActions}
+        choose={(action) => pruning.choice.merge({ action })}
       />
-      <DeedFields shoot={shoot} choice={choice} change={(part) => pruning.choice.merge(part)} />
+      <ActionFields shoot={shoot} choice={choice} change={(part) => pruning.choice.merge(part)} />
       <div className="shoot-act">
         <Segments
           label="Season of the operation"
@@ -91,22 +91,22 @@ function HeldShoot({ shoot }: { shoot: FoundShoot }): ReactElement {
   );
 }
 
-function said_of(shoot: FoundShoot, choice: DeedChoice): string {
+function said_of(shoot: FoundShoot, choice: ActionChoice): string {
   const kept = kept_metamers(shoot, choice);
-  if (choice.deed === 'cut') return kept === 0 ? 'Cut off' : `Cut above ${kept}`;
-  return { bend: 'Bend', tie: 'Tie to the ground', mark: 'Mark' }[choice.deed];
+  if (choice.action === 'cut') return kept === 0 ? 'Cut off' : `Cut above ${kept}`;
+  return { bend: 'Bend', tie: 'Tie to the ground', mark: 'Mark' }[choice.action];
 }
 
-interface DeedFieldsProps {
+interface ActionFieldsProps {
   shoot: FoundShoot;
-  choice: DeedChoice;
-  change: (part: Partial<DeedChoice>) => void;
+  choice: ActionChoice;
+  change: (part: Partial<ActionChoice>) => void;
 }
 
 /// Fields for the numbers of the chosen act.
-function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
-  if (choice.deed === 'cut') {
-    const places: [DeedChoice['cut_at'], string][] = [
+function ActionFields({ shoot, choice, change }: ActionFieldsProps): ReactElement {
+  if (choice.action === 'cut') {
+    const places: [ActionChoice['cut_at'], string][] = [
       ['here', 'Here'],
       ['base', 'At its base'],
       ['count', 'Above'],
@@ -133,7 +133,7 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
       </div>
     );
   }
-  if (choice.deed === 'bend') {
+  if (choice.action === 'bend') {
     return (
       <div className="shoot-fields">
         <NumberLine
@@ -158,7 +158,7 @@ function DeedFields({ shoot, choice, change }: DeedFieldsProps): ReactElement {
       </div>
     );
   }
-  if (choice.deed === 'tie') {
+  if (choice.action === 'tie') {
     return (
       <div className="shoot-fields">
         <NumberLine

@@ -5,12 +5,12 @@ import type { FoundShoot } from '../page/instance_choice.ts';
 import { InstanceChoice } from '../page/instance_choice.ts';
 import type { Page } from '../page/page.ts';
 import type { ShootName, ShootWay } from '../server/protocol.ts';
-import type { DeedChoice } from './shoot_cut.ts';
+import type { ActionChoice } from './shoot_cut.ts';
 import { bearers_of, kNowhere, moved_metamer } from './shoot_text.ts';
 
 /// The component whose shoots are walked, and the tool that acts on them.
 export interface WalkedTrees {
-  readonly choice: Store<DeedChoice>;
+  readonly choice: Store<ActionChoice>;
   plan_component(): string | null;
 }
 
@@ -43,7 +43,7 @@ export class ShootWalk {
     const component = this.trees_.plan_component();
     if (component === null) return this.page_.notify('No component of this document has shoots that can be cut');
     this.wants_keyboard.set(true);
-    for (const of of this.wishes(component)) {
+    for (const of of this.requests(component)) {
       const is_held = await instance.hold(component, of).catch(() => false);
       if (is_held !== false) return;
     }
@@ -78,7 +78,7 @@ export class ShootWalk {
     return InstanceChoice.shoot_of(this.page_.tool(InstanceChoice).found.get());
   }
 
-  private wishes(component: string): (ShootName | null)[] {
+  private requests(component: string): (ShootName | null)[] {
     const last = this.last_?.component === component ? this.last_ : null;
     return last ? [last, ...bearers_of(last.shoot).map((bearer) => ({ ...last, ...bearer })), null] : [null];
   }

@@ -9,7 +9,7 @@ import { IconButton } from '../controls/button.tsx';
 import type { FoundShoot } from '../page/instance_choice.ts';
 import { use_page } from '../page/use_page.ts';
 import { Pruning } from './pruning.ts';
-import type { Deed } from './shoot_cut.ts';
+import type { ShootAction } from './shoot_cut.ts';
 import { measures_of } from './shoot_text.ts';
 import type { ShootWalk } from './shoot_walk.ts';
 
@@ -23,7 +23,7 @@ const kWays: Record<string, (walk: ShootWalk) => void> = {
   Home: (walk) => walk.along(-Infinity),
   End: (walk) => walk.along(Infinity),
 };
-const kDeedKeys: Record<string, Deed> = { c: 'cut', b: 'bend', t: 'tie', m: 'mark' };
+const kActionKeys: Record<string, ShootAction> = { c: 'cut', b: 'bend', t: 'tie', m: 'mark' };
 
 interface ShootWalkBarProps {
   shoot: FoundShoot;
@@ -44,10 +44,10 @@ export function ShootWalkBar({ shoot, act }: ShootWalkBarProps): ReactElement {
   const key = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const way = kWays[event.key];
-    const deed = kDeedKeys[event.key];
+    const action = kActionKeys[event.key];
     const is_on_bar = event.target === event.currentTarget; // its buttons handle Enter themselves
     if (way) way(walk);
-    else if (deed) choice.merge({ deed });
+    else if (action) choice.merge({ action });
     else if (event.key === 'Enter' && is_on_bar) act();
     else return;
     event.preventDefault();

@@ -32,15 +32,15 @@ export class Keeper {
   /// document with which the server was started.
   async first_documents(hello: Hello): Promise<OpenRequest[]> {
     const last = of_this_page();
-    const wishes: OpenRequest[] = [];
-    if (last?.startsWith(kModel)) wishes.push({ model: last.slice(kModel.length) });
-    if (last?.startsWith(kFile)) wishes.push({ path: last.slice(kFile.length) });
+    const requests: OpenRequest[] = [];
+    if (last?.startsWith(kModel)) requests.push({ model: last.slice(kModel.length) });
+    if (last?.startsWith(kFile)) requests.push({ path: last.slice(kFile.length) });
     const own = slot_of(this.tab_, kNew);
     const all = last === kNew ? await kept_work() : [];
     const mine = all.find((one) => one.slot === own) ?? all.find((one) => one.key === kNew && one.tab === this.tab_);
-    if (mine) wishes.push({ text: mine.text, path: null });
-    if (hello.document !== null) wishes.push({ path: hello.document });
-    return [...wishes, { model: hello.model ?? 'oak' }, { model: 'oak' }];
+    if (mine) requests.push({ text: mine.text, path: null });
+    if (hello.document !== null) requests.push({ path: hello.document });
+    return [...requests, { model: hello.model ?? 'oak' }, { model: 'oak' }];
   }
 
   /// Offers kept work on the opened document if its text differs. On the page's first document, also offers work on

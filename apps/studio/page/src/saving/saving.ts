@@ -37,7 +37,7 @@ async function ask_save({ document, connection }: Page, path: string, over: bool
   }
 }
 
-const kMostNamed = 4; // files in a message
+const kMaxNamed = 4; // files in a message
 
 function tell_saved(page: Page, { path, copied = [], omitted = [] }: SaveAnswer): void {
   page.notify(`Saved ${path}${copied.length > 0 ? `, and copied ${listed(copied)}, which it names` : ''}`);
@@ -50,6 +50,6 @@ function tell_saved(page: Page, { path, copied = [], omitted = [] }: SaveAnswer)
 
 /// Returns the first of some names as text.
 export function listed(names: readonly string[]): string {
-  const more = names.length - kMostNamed;
-  return `${names.slice(0, kMostNamed).join(', ')}${more > 0 ? `, and ${more} more` : ''}`;
+  const more = names.length - kMaxNamed;
+  return `${names.slice(0, kMaxNamed).join(', ')}${more > 0 ? `, and ${more} more` : ''}`;
 }

@@ -62,7 +62,7 @@ export function SunFields(props: SunActions): ReactElement {
             <SunField
               {...props}
               path="scene.sun.day"
-              {...(year === null ? {} : { most: days_of_year(year) })}
+              {...(year === null ? {} : { max: days_of_year(year) })}
               label="Day"
               said={day_text(state.day)}
               value={state.day}
@@ -103,7 +103,7 @@ interface SunFieldProps extends SunActions {
   unit?: string;
   said?: string;
   path: string; // of the row in the document
-  most?: number; // a maximum that is lower than the row's
+  max?: number; // a maximum that is lower than the row's
   low?: number; // the slider's lowest value, if it is lower than usual values
   value: number;
   step: number;
@@ -115,7 +115,7 @@ function SunField({
   unit,
   said,
   path,
-  most,
+  max,
   low,
   value,
   step,
@@ -127,7 +127,7 @@ function SunField({
   const page = use_page();
   const { tree } = use_document();
   const row: Row = row_at(page.tables, tree, path) ?? { name: label, kind: 'number', doc: '' };
-  const legal = most === undefined ? row : { ...row, max: most };
+  const legal = max === undefined ? row : { ...row, max };
   const limit = (one: number): number => within_hard_range(legal, one);
   const acts = {
     drag: (one: number) => drag(values(limit(one))),

@@ -8,7 +8,7 @@ export interface SkyPlace {
 }
 
 const kRadians = Math.PI / 180;
-const kGreatestDeclination = Math.asin(0.3978) / kRadians;
+const kMaxDeclination = Math.asin(0.3978) / kRadians;
 export const kSolstices = { summer: 172, winter: 355, equinox: 80 };
 export const kDaysOfYear = 365;
 
@@ -60,14 +60,14 @@ export function hour_and_declination(
 
 /// Returns the day with this declination, or the nearest one, in the same half of the year as another day.
 export function day_of(sun: number, near: number): number {
-  const wanted = Math.min(kGreatestDeclination, Math.max(-kGreatestDeclination, sun));
+  const wanted = Math.min(kMaxDeclination, Math.max(-kMaxDeclination, sun));
   const rises = near <= kSolstices.summer || near > kSolstices.winter;
   const first = rises ? kSolstices.winter - kDaysOfYear : kSolstices.summer;
   const last = rises ? kSolstices.summer : kSolstices.winter;
-  let [best, least] = [near, Infinity];
+  let [best, min] = [near, Infinity];
   for (let day = first; day <= last; day += 1) {
     const away = Math.abs(declination(day) - wanted);
-    if (away < least) [best, least] = [day, away];
+    if (away < min) [best, min] = [day, away];
   }
   return best < 1 ? best + kDaysOfYear : best;
 }

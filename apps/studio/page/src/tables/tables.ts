@@ -155,7 +155,7 @@ export function slider_range(row: Row, value: number | null): [number, number] {
   return [Math.min(low, value), Math.max(high, value)];
 }
 
-/// Returns the least and the greatest legal number.
+/// Returns the minimum and maximum legal number.
 export function hard_range({ min, above, max }: NumberRange): { low: number; high: number } {
   const low = min ?? (above !== undefined ? above + Math.max(1e-6, Math.abs(above) * 1e-6) : -Infinity);
   return { low, high: max ?? Infinity };

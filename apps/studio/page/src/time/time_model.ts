@@ -57,7 +57,7 @@ export class TimeModel {
   }
 
   /// The members of the `view` request, except its budgets.
-  get wish(): { time: number } {
+  get request(): { time: number } {
     return { time: this.time };
   }
 

@@ -18,7 +18,7 @@ import { path_below, value_at } from '../values/path.ts';
 import { percent, time_under } from './lane.ts';
 
 const kStill = 3; // pixels within which a press is a click
-const kMostRows = 6; // blocks in separate rows; further ones overlap
+const kMaxRows = 6; // blocks in separate rows; further ones overlap
 
 export function ClockRows(): ReactElement {
   const page = use_page();
@@ -103,7 +103,7 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
     else page.stop_drag();
   };
   const shift = held.shown?.by ?? 0;
-  const rows = Math.min(kMostRows, blocks.length);
+  const rows = Math.min(kMaxRows, blocks.length);
   const begin = shown_number(tidy_time(blocks[0]?.[0] ?? 0));
   return (
     <div className={`lane-row${chosen === component_path(component) ? ' chosen' : ''}`} data-clock={component}>
@@ -132,7 +132,7 @@ function ClockRow({ clocks, length }: { clocks: BegunClocks; length: number }): 
             style={{
               left: percent(start + shift, length),
               right: 0,
-              top: `${(100 * (k % kMostRows)) / rows}%`,
+              top: `${(100 * (k % kMaxRows)) / rows}%`,
               height: `${100 / rows}%`,
             }}
           />

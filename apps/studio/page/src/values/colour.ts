@@ -46,12 +46,12 @@ export function colour_of({ hue, saturation, value }: Hsv): string {
 }
 
 /// Returns the colours in a document, each once, in their order.
-export function colours_in(value: Json | undefined, most = 24): string[] {
+export function colours_in(value: Json | undefined, max = 24): string[] {
   const found = new Set<string>();
   const look = (one: Json | undefined): void => {
     if (typeof one === 'string') {
       const colour = full_colour(one);
-      if (colour !== null && found.size < most) found.add(colour);
+      if (colour !== null && found.size < max) found.add(colour);
     } else if (Array.isArray(one)) one.forEach(look);
     else if (is_object(one)) Object.values(one).forEach(look);
   };

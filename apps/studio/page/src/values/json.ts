@@ -28,8 +28,8 @@ export class JsonFault extends Error {
   }
 }
 
-const kMostNested = 256;
-const kMostIndent = 64;
+const kMaxNested = 256;
+const kMaxIndent = 64;
 const kNumber = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 const kText = /"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
 const kGap = /(?:[ \t\r\n\ufeff]|\/\/[^\n]*|\/\*[^]*?\*\/)*/y;
@@ -84,7 +84,7 @@ class Parser {
     this.skip();
     const start = this.at_;
     this.nested_ += 1;
-    if (this.nested_ > kMostNested) throw new JsonFault('too deeply nested', start);
+    if (this.nested_ > kMaxNested) throw new JsonFault('too deeply nested', start);
     const node = this.value_at(start);
     this.nested_ -= 1;
     this.skip();
@@ -123,7 +123,7 @@ class Parser {
 
   /// Returns true if a top-level name begins a line, by its indentation. A bracket before it is then missing.
   private is_at_top(): boolean {
-    const indent = /(?:^|\n)([ \t]*)$/.exec(this.text_.slice(Math.max(0, this.at_ - kMostIndent), this.at_))?.[1];
+    const indent = /(?:^|\n)([ \t]*)$/.exec(this.text_.slice(Math.max(0, this.at_ - kMaxIndent), this.at_))?.[1];
     if (this.nested_ === 1) this.top_indent_ ??= indent ?? null;
     return this.nested_ > 1 && indent !== undefined && indent !== '' && indent === this.top_indent_;
   }

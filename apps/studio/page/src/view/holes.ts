@@ -4,7 +4,7 @@ import type * as three from 'three';
 
 import type { IsHole } from './ray.ts';
 
-const kMost = 512; // largest number of pixels per side that are kept
+const kMax = 512; // largest number of pixels per side that are kept
 
 export class Holes {
   private readonly known_ = new WeakMap<object, IsHole>();
@@ -16,7 +16,7 @@ export class Holes {
     if (!image) return null;
     const known = this.known_.get(image);
     if (known) return known;
-    const [width, height] = [Math.min(kMost, image.width), Math.min(kMost, image.height)];
+    const [width, height] = [Math.min(kMax, image.width), Math.min(kMax, image.height)];
     const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
     if (!context) return null;
     context.drawImage(image, 0, 0, width, height);

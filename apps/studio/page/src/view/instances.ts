@@ -59,8 +59,8 @@ export function placing_uniforms(): PlacingUniforms {
 
 /// Returns the number of copies of a mesh with this many vertices for this number of instances: a power of two.
 export function copies_for(vertices: number, instances: number): number {
-  const most = Math.min(kVerticesAtOnce / Math.max(vertices, 1), instances);
-  return most <= 1 ? 1 : 2 ** Math.floor(Math.log2(most));
+  const max = Math.min(kVerticesAtOnce / Math.max(vertices, 1), instances);
+  return max <= 1 ? 1 : 2 ** Math.floor(Math.log2(max));
 }
 
 /// Sets the uniforms of a mesh from `placing` and `more` before each drawing. Materials serve many meshes, one after

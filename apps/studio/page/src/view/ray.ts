@@ -97,12 +97,12 @@ function sphere_around(positions: Float32Array): readonly [number, number, numbe
     box[5] = Math.max(box[5], z);
   }
   const centre = [(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2] as const;
-  let most = 0;
+  let max = 0;
   for (let k = 0; k + 2 < positions.length; k += 3) {
     const [x, y, z] = at(k);
-    most = Math.max(most, (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2);
+    max = Math.max(max, (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2);
   }
-  return [...centre, Math.sqrt(most)];
+  return [...centre, Math.sqrt(max)];
 }
 
 /// Three rows of a matrix, with four numbers each.

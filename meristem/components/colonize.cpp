@@ -94,7 +94,7 @@ MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
 /// Warns if no root can reach its crown within the iterations. Compares with the box around the crown, so it misses
 /// crowns that are only just out of reach.
 void warn_of_bare_stems(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
-  if (!tree.crown || tree.points.file || reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  if (!tree.crown || tree.points.file || reader.numbers().is_worked_out(DocumentPath(path, "iterations"))) return;
   const CrownPointer crown = build_crown(*tree.crown);
   if (crown->bounds().is_empty()) return;
   double nearest = std::numeric_limits<double>::infinity();

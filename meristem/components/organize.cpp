@@ -206,7 +206,7 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
 /// Warns of operations that never act. Does not warn if the number of iterations depends on a variable such as the
 /// time.
 void check_schedules(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
-  if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  if (reader.numbers().is_worked_out(DocumentPath(path, "iterations"))) return;
   const DocumentPath operations(path, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
     const OperationParameters& common = common_of(tree.operations[k]);

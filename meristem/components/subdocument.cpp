@@ -24,7 +24,7 @@ const ParameterTable& set_table() {
 
 /// Opens the document and resolves the names in `set`.
 void open(Subdocument& document, const DocumentPath& path, ParameterReader& reader) {
-  document.source = reader.plant_source(document.file, DocumentPath(path, "file"));
+  document.source = reader.files().plant_source(document.file, DocumentPath(path, "file"));
   if (document.source == nullptr) return;
   const DocumentPath set(path, "set");
   for (auto& [name, set_value] : document.set) {
@@ -39,7 +39,8 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     set_value.min = handle.min;
     set_value.max = handle.max;
     const bool is_beyond = set_value.value < handle.min || handle.max < set_value.value;
-    if (!is_beyond || reader.is_worked_out(own) || reader.is_worked_out(DocumentPath(own, "value"))) continue;
+    if (!is_beyond || reader.numbers().is_worked_out(own) || reader.numbers().is_worked_out(DocumentPath(own, "value")))
+      continue;
     reader.add_error(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
                      fmt::format("{:.12g} to {:.12g}", handle.min, handle.max));
   }

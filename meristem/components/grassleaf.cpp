@@ -185,8 +185,9 @@ glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
   return {-glm::dot(vector, glm::normalize(frame.axes[2])), glm::dot(vector, glm::normalize(frame.axes[1]))};
 }
 
-void note_forces(const Grassleaf& grass, const Site& site, const InstanceContext& instance, const Rounding& round,
-                 ShapeNumbers& numbers) {
+/// Sets the forces that bend the leaf, in the plane of its midrib, and the stiffness of the leaf.
+void set_forces(const Grassleaf& grass, const Site& site, const InstanceContext& instance, const Rounding& round,
+                ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
   const Vec3 all =
@@ -207,66 +208,91 @@ void note_forces(const Grassleaf& grass, const Site& site, const InstanceContext
   numbers.tip_thickness = round.own_octaves(strip.part(&LeafStrip::tip_thickness), kRadiusSteps);
 }
 
+/// Sets the number of the growth history. Leaves share a limited number of histories, or each has its own.
+void set_variant(const Grassleaf& grass, const Site& site, const InstanceContext& instance, ShapeNumbers& numbers) {
+  const GrassVariety& vary = grass.vary;
+  if (!vary.acts() || !grass.stages.vary || !grass.stages.age) return;
+  const RandomKey own = site.key.child("life");
+  const bool is_shared = vary.variants > 0 && !grass.exact;
+  const double drawn = std::floor(own.uniform(0) * vary.variants);
+  const RandomKey life = is_shared ? instance.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
+  // The bits of the key that a double can hold.
+  numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
+}
+
+/// Sets the age of the leaf and the age at which a leaf is full-grown.
+void set_age(const Grassleaf& grass, const Choice& choice, const Rounding& round, ShapeNumbers& numbers) {
+  const double last = grass.stock->midribs[choice.midrib].family.last_age();
+  const double age = grass.stages.age ? grass.age : last;
+  const double step = grass.full_age / kAgeSteps;
+  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(&Grassleaf::age);
+  numbers.full_age = grass.full_age;
+  numbers.age = is_rounded ? round.step(age, step) : age;
+  // Rounding must neither remove a young leaf nor make a leaf older than its midribs.
+  if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
+  numbers.age = std::min(numbers.age, last);
+}
+
+/// Sets the inclination of the leaf, or a factor on the inclination of its midrib.
+void set_inclination(const Grassleaf& grass, const Rounding& round, ShapeNumbers& numbers) {
+  numbers.inclination = kOwnInclination;
+  numbers.inclination_factor = 1;
+  if (!grass.stages.bend) return;
+  if (!grass.inclination) {
+    numbers.inclination_factor = round.own(member_of(grass, &Grassleaf::inclination_factor), kFactorStep);
+    return;
+  }
+  const double inclination = *grass.inclination * grass.inclination_factor;
+  const bool is_drawn = round.varies(&Grassleaf::inclination) || round.varies(&Grassleaf::inclination_factor);
+  numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
+}
+
+/// Sets twist, fold, roll and waves of the blade, and how it clasps its sheath.
+void set_blade(const Grassleaf& grass, const Site& site, double length, const Rounding& round, ShapeNumbers& numbers) {
+  if (!grass.stages.blade) return;
+  const ComponentMember<GrassBlade> blade = member_of(grass, &Grassleaf::blade);
+  numbers.twist = round.own(blade.part(&GrassBlade::twist), kShapeAngleStep);
+  numbers.fold = round.own(blade.part(&GrassBlade::fold), kShapeAngleStep);
+  numbers.roll = round.own(blade.part(&GrassBlade::roll), kShapeAngleStep);
+  const ComponentMember<EdgeWaves> waves = blade.part(&GrassBlade::waves);
+  if (waves.value().number > 0 && waves.value().depth != 0) {
+    numbers.waves = round.own(waves.part(&EdgeWaves::number), kWaveNumberStep);
+    numbers.waves_depth = round.own(waves.part(&EdgeWaves::depth), kWaveStep);
+    numbers.waves_left = round.own(waves.part(&EdgeWaves::left), 6 * kShapeAngleStep);
+    numbers.waves_right = round.own(waves.part(&EdgeWaves::right), 6 * kShapeAngleStep);
+  }
+  if (grass.sheath.length > 0) {
+    numbers.clasp = grass.sheath.clasp;
+    numbers.clasp_radius = round.octaves(sheath_radius(grass.sheath, site) / length, kRadiusSteps);
+  }
+}
+
+/// Sets the number of polygons of the blade, or the error that a reduction may make.
+void set_polygons(const Grassleaf& grass, const Rounding& round, ShapeNumbers& numbers) {
+  if (!grass.stages.reduce) {
+    numbers.polygons = grass.source.fit.pieces;
+    return;
+  }
+  numbers.polygons = grass.error ? 0 : grass.polygons;
+  numbers.error = grass.error ? round.octaves(*grass.error, kErrorSteps) : 0;
+}
+
+/// Returns all numbers that determine the shape of a leaf with this length and width, for a leaf of length 1. Leaves
+/// with equal numbers share a mesh. Numbers that vary between leaves are therefore rounded, and numbers of disabled
+/// stages stay 0.
 ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
                            const InstanceContext& instance) {
   const Rounding round(grass, instance);
   ShapeNumbers numbers{};
   numbers.midrib = choice.midrib;
   numbers.widths = choice.widths;
-  const GrassVariety& vary = grass.vary;
-  const bool is_varied = vary.acts() && grass.stages.vary && grass.stages.age;
-  if (is_varied) {
-    const RandomKey own = site.key.child("life");
-    const bool is_shared = vary.variants > 0 && !grass.exact;
-    const double drawn = std::floor(own.uniform(0) * vary.variants);
-    const RandomKey life = is_shared ? instance.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
-    // The bits of the key that a double can hold.
-    numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
-  }
   numbers.width = round.octaves(width / length, kProportionSteps);
-  numbers.full_age = grass.full_age;
-  const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
-  const double step = grass.full_age / kAgeSteps;
-  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(&Grassleaf::age);
-  numbers.age = is_rounded ? round.step(age, step) : age;
-  // Rounding must neither remove a young leaf nor make a leaf older than its midribs.
-  if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
-  numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
-  numbers.inclination = kOwnInclination;
-  numbers.inclination_factor = 1;
-  if (grass.stages.bend) {
-    if (grass.inclination) {
-      const double inclination = *grass.inclination * grass.inclination_factor;
-      const bool is_drawn = round.varies(&Grassleaf::inclination) || round.varies(&Grassleaf::inclination_factor);
-      numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
-    } else {
-      numbers.inclination_factor = round.own(member_of(grass, &Grassleaf::inclination_factor), kFactorStep);
-    }
-  }
-  note_forces(grass, site, instance, round, numbers);
-  if (grass.stages.blade) {
-    const ComponentMember<GrassBlade> blade = member_of(grass, &Grassleaf::blade);
-    numbers.twist = round.own(blade.part(&GrassBlade::twist), kShapeAngleStep);
-    numbers.fold = round.own(blade.part(&GrassBlade::fold), kShapeAngleStep);
-    numbers.roll = round.own(blade.part(&GrassBlade::roll), kShapeAngleStep);
-    const ComponentMember<EdgeWaves> waves = blade.part(&GrassBlade::waves);
-    if (waves.value().number > 0 && waves.value().depth != 0) {
-      numbers.waves = round.own(waves.part(&EdgeWaves::number), kWaveNumberStep);
-      numbers.waves_depth = round.own(waves.part(&EdgeWaves::depth), kWaveStep);
-      numbers.waves_left = round.own(waves.part(&EdgeWaves::left), 6 * kShapeAngleStep);
-      numbers.waves_right = round.own(waves.part(&EdgeWaves::right), 6 * kShapeAngleStep);
-    }
-    if (grass.sheath.length > 0) {
-      numbers.clasp = grass.sheath.clasp;
-      numbers.clasp_radius = round.octaves(sheath_radius(grass.sheath, site) / length, kRadiusSteps);
-    }
-  }
-  if (grass.stages.reduce) {
-    numbers.polygons = grass.error ? 0 : grass.polygons;
-    numbers.error = grass.error ? round.octaves(*grass.error, kErrorSteps) : 0;
-  } else {
-    numbers.polygons = grass.source.fit.pieces;
-  }
+  set_variant(grass, site, instance, numbers);
+  set_age(grass, choice, round, numbers);
+  set_inclination(grass, round, numbers);
+  set_forces(grass, site, instance, round, numbers);
+  set_blade(grass, site, length, round, numbers);
+  set_polygons(grass, round, numbers);
   return numbers;
 }
 

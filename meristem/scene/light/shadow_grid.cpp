@@ -178,7 +178,7 @@ struct ShadowGrid::Together {
   const std::uint64_t* amounts_of(std::size_t shader) const { return amounts.data() + shader * layers; }
 
  private:
-  /// A shader with the numbers by which it is sorted.
+  /// A shader with its sort keys.
   struct Placed {
     std::uint64_t key;  // of its brick; distant bricks may have equal keys
     std::uint32_t voxel;

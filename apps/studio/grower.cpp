@@ -330,82 +330,97 @@ bool Grower::is_shown(const Sight& sight) const {
   return shown_.grown == sight.grown && shown_.parts == sight.parts && (!shown_.is_draft || sight.is_draft);
 }
 
+/// Shows the newest state in up to two packets: a draft while the user drags, and the full detail later. Shows nothing
+/// while the page has not drawn the last packet yet.
 void Grower::show() {
-  Sight sight;
-  bool fits = false;
-  bool forgets = false;
-  {
-    const std::lock_guard lock(mutex_);
-    if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
-    // While a newer state can still be continued, the view does not change.
-    if (stopped_ == Stopped::growth && shown_.grown == grown_ && shown_.parts == parts_) return;
-    // A slow page sees a draft late. The time until full detail then starts when it has shown the draft.
-    const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
-    // A single edit is shown in full at once. So is a drag that moves nothing, for example of a colour.
-    const bool moves = grown_->request.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
-                                                       have_same_shape(shown_.grown->plant, grown_->plant));
-    sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
-    const bool waits = sight.is_draft;
-    if (forgets_ && is_large(*grown_, parts_)) sight.is_draft = true;
-    if (waits) {
-      host_.growth.post_at(still, [self = shared_from_this()] {
-        const std::lock_guard later(self->mutex_);
-        self->schedule();
-      });
-    }
-    if (is_shown(sight)) return;
-    fits = std::exchange(fits_, false);
-    forgets = std::exchange(forgets_, false);
-    shown_ = sight;  // set even if the packet fails, so that it is tried once
-  }
-  if (forgets) {
+  const std::optional<NextView> next = next_view();
+  if (!next) return;
+  const GrownPlant& grown = *next->sight.grown;
+  if (next->forgets) {
     packets_.forget();
     pictures_.clear();
   }
   bool is_sent = false;
-  run(sight.grown->request.hash, Stopped::meshing, [&](JobMessages& messages) {
-    const ShownParts& parts = sight.parts;
-    double share = 1;
-    std::shared_ptr<const MeshScene> meshes;
-    std::uint64_t all = sight.grown->about_triangles;
-    if (parts.surface) {
-      make_meshes(sight, messages.progress());
-      all = meshes_->triangles;
-      if (!meshes_->is_whole) share = share_of(sight.budget(), all);
-      meshes = with_shown_pictures(*sight.grown);
-    }
-    const PlantTotals totals = totals_of(sight.grown->plant);
-    std::string packet =
-        packets_.next({.meshes = meshes.get(),
-                       .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
-                       .max_segments = static_cast<std::size_t>(sight.budget()),
-                       .obstacles = parts.surface ? &obstacles_of(*sight.grown, messages.progress()) : nullptr,
-                       .scene = &sight.grown->document->scene},
-                      {.hash = sight.grown->request.hash,
-                       .is_draft = sight.is_draft,
-                       .fits = fits,
-                       .share = share,
-                       .all = {.triangles = all, .instances = totals.organs + totals.stems, .nodes = totals.nodes}},
-                      messages.progress());
-    std::vector<std::pair<std::string, double>> stages = std::exchange(stages_, {});
-    for (auto& stage : messages.stages()) stages.push_back(std::move(stage));
-    Value::Object told{
-        {"is", "grown"}, {"hash", sight.grown->request.hash}, {"dragged", sight.grown->request.is_dragged}};
-    Value::List times;
-    for (const auto& [name, milliseconds] : stages)
-      times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
-    told.emplace_back("stages", std::move(times));
-    told.emplace_back("reuse", reuse_value(std::exchange(grown_reuse_, {}), std::exchange(clothed_reuse_, {})));
-    for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
+  run(grown.request.hash, Stopped::meshing, [&](JobMessages& messages) {
+    std::string packet = packet_of(*next, messages);
+    const Value::Object message = grown_message(grown, messages);
     const std::lock_guard lock(mutex_);
     if (is_closed_ || is_other_) return;
     awaited_ = packets_.number();
-    outbox_->send_text(write_json_line(told));
+    outbox_->send_text(write_json_line(message));
     outbox_->send_packet(std::move(packet));
     is_sent = true;
   });
   const std::lock_guard lock(mutex_);
-  fits_ = fits_ || (fits && !is_sent);
+  fits_ = fits_ || (next->fits && !is_sent);
+}
+
+/// Returns what the page must show now, and marks it as shown. Returns nothing if the page shows it already, or must
+/// wait. Schedules the full detail if this is a draft.
+std::optional<Grower::NextView> Grower::next_view() {
+  const std::lock_guard lock(mutex_);
+  if (awaited_ != 0 || grown_ == nullptr || is_closed_) return std::nullopt;
+  // While a newer state can still be continued, the view does not change.
+  if (stopped_ == Stopped::growth && shown_.grown == grown_ && shown_.parts == parts_) return std::nullopt;
+  // A slow page sees a draft late. The time until full detail then starts when it has shown the draft.
+  const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
+  // A single edit is shown in full at once. So is a drag that moves nothing, for example of a colour.
+  const bool moves = grown_->request.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
+                                                     have_same_shape(shown_.grown->plant, grown_->plant));
+  Sight sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
+  const bool waits = sight.is_draft;
+  if (forgets_ && is_large(*grown_, parts_)) sight.is_draft = true;
+  if (waits) {
+    host_.growth.post_at(still, [self = shared_from_this()] {
+      const std::lock_guard later(self->mutex_);
+      self->schedule();
+    });
+  }
+  if (is_shown(sight)) return std::nullopt;
+  shown_ = sight;  // set even if the packet fails, so that it is tried once
+  return NextView{std::move(sight), std::exchange(fits_, false), std::exchange(forgets_, false)};
+}
+
+/// Returns the packet of the changes from the last view to this one. Makes meshes if surfaces are shown.
+std::string Grower::packet_of(const NextView& view, JobMessages& messages) {
+  const Sight& sight = view.sight;
+  const GrownPlant& grown = *sight.grown;
+  double share = 1;
+  std::shared_ptr<const MeshScene> meshes;
+  std::uint64_t all = grown.about_triangles;
+  if (sight.parts.surface) {
+    make_meshes(sight, messages.progress());
+    all = meshes_->triangles;
+    if (!meshes_->is_whole) share = share_of(sight.budget(), all);
+    meshes = with_shown_pictures(grown);
+  }
+  const PlantTotals totals = totals_of(grown.plant);
+  return packets_.next({.meshes = meshes.get(),
+                        .skeletons = sight.parts.skeleton ? &grown.plant : nullptr,
+                        .max_segments = static_cast<std::size_t>(sight.budget()),
+                        .obstacles = sight.parts.surface ? &obstacles_of(grown, messages.progress()) : nullptr,
+                        .scene = &grown.document->scene},
+                       {.hash = grown.request.hash,
+                        .is_draft = sight.is_draft,
+                        .fits = view.fits,
+                        .share = share,
+                        .all = {.triangles = all, .instances = totals.organs + totals.stems, .nodes = totals.nodes}},
+                       messages.progress());
+}
+
+/// Returns the message that precedes a packet: the counts of the plant, the times of all stages, and what was reused.
+Value::Object Grower::grown_message(const GrownPlant& grown, JobMessages& messages) {
+  std::vector<std::pair<std::string, double>> stages = std::exchange(stages_, {});
+  for (auto& stage : messages.stages()) stages.push_back(std::move(stage));
+  Value::List times;
+  for (const auto& [name, milliseconds] : stages) {
+    times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
+  }
+  Value::Object message{{"is", "grown"}, {"hash", grown.request.hash}, {"dragged", grown.request.is_dragged}};
+  message.emplace_back("stages", std::move(times));
+  message.emplace_back("reuse", reuse_value(std::exchange(grown_reuse_, {}), std::exchange(clothed_reuse_, {})));
+  for (auto& member : counts_value(grown)) message.push_back(std::move(member));
+  return message;
 }
 
 Value::Object Grower::counts_value(const GrownPlant& grown) const {

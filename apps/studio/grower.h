@@ -115,6 +115,12 @@ class Grower : public std::enable_shared_from_this<Grower> {
     /// Returns the maximum number of triangles that the page draws.
     std::uint64_t budget() const { return is_draft ? parts.drag_triangles : parts.rest_triangles; }
   };
+  /// A content that the page must show, with what else its packet does.
+  struct NextView {
+    Sight sight;
+    bool fits = false;     ///< true: the packet is the first of a document
+    bool forgets = false;  ///< true: the packet is a whole scene
+  };
   /// The kind of work that reached the time limit.
   enum class Stopped { nothing, growth, meshing };
 
@@ -122,12 +128,15 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void work();
   void grow();
   void show();
+  std::optional<NextView> next_view();
   bool is_shown(const Sight& sight) const;
   template <class Work>
   void run(const std::string& hash, Stopped if_stopped, Work&& work);
   void send_failure(const std::string& hash, const std::string& message, Value::Object members);
 
   // Used only by the worker's thread.
+  std::string packet_of(const NextView& view, JobMessages& messages);
+  Value::Object grown_message(const GrownPlant& grown, JobMessages& messages);
   void make_meshes(const Sight& sight, Progress& progress);
   std::shared_ptr<const MeshScene> with_shown_pictures(const GrownPlant& grown);
   const MeshScene& obstacles_of(const GrownPlant& grown, Progress& progress);

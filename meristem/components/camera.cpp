@@ -47,7 +47,7 @@ ComponentType camera_component() {
                  .bears_plants = true},
       .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
                         .members(&CameraParameters::view, view_table()),
-      .expand = [](const CameraParameters&, const Site&, Emitter&) {},
+      .expand = [](const CameraParameters&, const Site&) {},
       .minimum_counts = [](const CameraParameters&, const KnownMembers&) { return MinimumCounts{.children = 1}; },
   });
 }

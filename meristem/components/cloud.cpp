@@ -74,8 +74,8 @@ std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowCon
 }
 
 /// Returns the points before growth, in the component's frame.
-std::vector<TracedPlace> points_before_growth(Emitter& out) {
-  const Skeleton points = out.take_grown();
+std::vector<TracedPlace> points_before_growth(StemSink& stems) {
+  const Skeleton points = stems.take_grown();
   std::vector<TracedPlace> places;
   for (NodeIndex k = 0; k < points.node_count(); ++k) {
     places.push_back({points.position[k], points.birth[k] == kKept ? PlaceState::free : PlaceState::removed, 0});
@@ -84,24 +84,26 @@ std::vector<TracedPlace> points_before_growth(Emitter& out) {
 }
 
 /// Returns the tree's own points after growth, in the tree's frame.
-std::vector<TracedPlace> points_after_growth(const Cloud& cloud, Emitter& out) {
-  const GrowthTrace* const growth = out.watched_growth();
+std::vector<TracedPlace> points_after_growth(const Cloud& cloud, const InstanceContext& instance, StemSink& stems) {
+  const GrowthTrace* const growth = instance.watched_growth();
   if (growth == nullptr) {
     throw InputError(Diagnostic{
-        .message = fmt::format("'{}' shows the growth of '{}' and does not stand beside it", out.component(), cloud.of),
-        .expected = fmt::format("links to '{}' and '{}' from the same components", out.component(), cloud.of),
-        .path = fmt::format("components.{}.after_growth", out.component())});
+        .message =
+            fmt::format("'{}' shows the growth of '{}' and does not stand beside it", instance.component(), cloud.of),
+        .expected = fmt::format("links to '{}' and '{}' from the same components", instance.component(), cloud.of),
+        .path = fmt::format("components.{}.after_growth", instance.component())});
   }
-  const auto step = static_cast<int>(out.grown_to(growth->last_step()));
-  std::vector<TracedPlace> places = growth->marks(step, {TracePart::points}, out.progress()).points;
+  const auto step = static_cast<int>(stems.grown_to(growth->last_step()));
+  std::vector<TracedPlace> places = growth->marks(step, {TracePart::points}, instance.progress()).points;
   const Mat3 from_world = glm::inverse(growth->place.axes);
   for (TracedPlace& place : places) place.position = from_world * (place.position - growth->place.origin);
   return places;
 }
 
-void expand(const Cloud& cloud, const Site&, Emitter& out) {
+void expand(const Cloud& cloud, const Site&, const InstanceContext& instance, OrganSink& organs, StemSink& stems) {
   const bool is_watched = cloud.after_growth && !cloud.of.empty();
-  const std::vector<TracedPlace> points = is_watched ? points_after_growth(cloud, out) : points_before_growth(out);
+  const std::vector<TracedPlace> points =
+      is_watched ? points_after_growth(cloud, instance, stems) : points_before_growth(stems);
   const Vec3 own = linear_from_srgb(cloud.colour.value_or(kDotColour));
   const auto tint = [&](const std::optional<Vec3>& colour) {
     return linear_from_srgb(colour.value_or(kDotColour)) / glm::max(own, 1e-4F);
@@ -114,7 +116,7 @@ void expand(const Cloud& cloud, const Site&, Emitter& out) {
     if (point.state == PlaceState::removed && !cloud.removed_colour) continue;
     dot.origin = point.position;
     const Vec3 state_tint = point.state == PlaceState::used ? used_tint : removed_tint;
-    out.organ(
+    organs.add(
         dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); },
         point.state == PlaceState::free ? Vec3(1) : state_tint);
   }

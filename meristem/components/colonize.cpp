@@ -67,37 +67,37 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
                         context.limits, context.component, context.progress);
 }
 
-void expand(const Colonize& tree, const Site& site, Emitter& out) {
-  Skeleton skeleton = out.take_grown();
-  const bool is_film = out.grows_in_time();
+void expand(const Colonize& tree, const Site& site, const InstanceContext& instance, StemSink& stems) {
+  Skeleton skeleton = stems.take_grown();
+  const bool is_film = instance.grows_in_time();
   std::vector<std::uint8_t> shed;
   if (tree.shed) {
-    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &out.scene(),
-                       &out.progress());
+    shed = nodes_where(skeleton, SkeletonAxes(skeleton), *tree.shed, site.key.child("shed"), &instance.scene(),
+                       &instance.progress());
   }
   if (tree.shed && is_film) {
-    let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);
+    let_fall(skeleton, shed, instance.animation().hold * *instance.animation().steps_per_second);
   } else if (tree.shed) {
     skeleton = shed_branches(skeleton, shed);
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
+  stems.add(std::move(skeleton), tree.surface, {.trim = tree.trim, .pipe_exponent = tree.growth.radii.exponent});
 }
 
 MinimumCounts minimum_counts(const Colonize& tree, const KnownMembers& known) {
   // A limit on light removes points before growth.
-  if (tree.light.response.limit.share > 0 || known.varies(tree.light)) return {};
+  if (tree.light.response.limit.share > 0 || known.varies(member_of(tree, &Colonize::light))) return {};
   if (tree.points.file) return {.points = tree.crown ? 0 : static_cast<double>(tree.points.file->size())};
   const double crowns = roots_of(tree).share_points() ? 1 : static_cast<double>(tree.roots.size());
-  return {.points = crowns * known.minimum(tree.points.count)};
+  return {.points = crowns * known.minimum(member_of(tree, &Colonize::points, &PointsParameters::count))};
 }
 
 /// Warns if no root can reach its crown within the iterations. Compares with the box around the crown, so it misses
 /// crowns that are only just out of reach.
 void warn_of_bare_stems(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
   if (!tree.crown || tree.points.file || tree.roots.empty()) return;
-  if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  if (reader.numbers().is_worked_out(DocumentPath(path, "iterations"))) return;
   const CrownPointer crown = build_crown(*tree.crown);
   if (crown->bounds().is_empty()) return;
   double nearest = std::numeric_limits<double>::infinity();

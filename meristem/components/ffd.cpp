@@ -5,12 +5,12 @@ namespace meristem {
 
 namespace {
 
-void expand(const Ffd& ffd, const Site& site, Emitter& out) {
+void expand(const Ffd& ffd, const Site& site, const InstanceContext& instance, SiteSink& sites) {
   std::shared_ptr<const SpaceMap> map;
   if (!ffd.functions.is_empty()) {
-    map = std::make_shared<const FunctionMap>(map_of(ffd.functions, site, out.time()));
+    map = std::make_shared<const FunctionMap>(map_of(ffd.functions, site, instance.time()));
   }
-  deform_below(ffd.deforming, std::move(map), site, out);
+  deform_below(ffd.deforming, std::move(map), site, instance, sites);
 }
 
 }  // namespace

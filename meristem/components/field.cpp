@@ -13,10 +13,10 @@ namespace {
 /// Indices of a plant's random numbers.
 enum Draw : std::uint64_t { along, across, turn, gap };
 
-void expand(const Field& field, const Site& site, Emitter& out) {
-  out.no_children();
+void expand(const Field& field, const Site& site, SiteSink& sites) {
+  sites.no_children();
   const auto rows = static_cast<std::uint64_t>(field.rows), plants = static_cast<std::uint64_t>(field.plants);
-  out.expect_children(rows * plants);
+  sites.expect(rows * plants);
   const RandomKey places = site.key.child("places");
   const double right = 0.5 * (field.plants - 1) * field.spacing, front = 0.5 * (field.rows - 1) * field.row_spacing;
   for (std::uint64_t row = 0; row < rows; ++row) {
@@ -35,7 +35,7 @@ void expand(const Field& field, const Site& site, Emitter& out) {
         frame.axes = Mat3(Vec3(cosine, 0, -sine), Vec3(0, 1, 0), Vec3(sine, 0, cosine));
       }
       frame.origin = Vec3(x, 0, z);
-      out.child_site(frame);
+      sites.add(frame);
     }
   }
 }
@@ -68,7 +68,7 @@ ComponentType field_component() {
       .expand = expand,
       .minimum_counts =
           [](const Field& field, const KnownMembers& known) {
-            if (known.varies(field.gaps)) return MinimumCounts();
+            if (known.varies(member_of(field, &Field::gaps))) return MinimumCounts();
             const double sites = 1.0 * field.rows * field.plants;
             // The number of gaps is binomial. Ten standard deviations above the mean are certain, and ten more if gaps
             // are so rare that their number has a long tail.

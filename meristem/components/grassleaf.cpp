@@ -50,10 +50,11 @@ struct Choice {
   std::uint32_t midrib = 0, widths = 0;
 };
 
-[[noreturn]] void throw_at(const Emitter& out, const char* parameter, std::string message, std::string expected) {
+[[noreturn]] void throw_at(const InstanceContext& instance, const char* parameter, std::string message,
+                           std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message),
                               .expected = std::move(expected),
-                              .path = fmt::format("components.{}.{}", out.component(), parameter)});
+                              .path = fmt::format("components.{}.{}", instance.component(), parameter)});
 }
 
 /// Returns "one of 1, 2, 3".
@@ -63,15 +64,15 @@ std::string ranks_text(const StockIndex& index) {
   return fmt::format("one of {}{}", fmt::join(shown, ", "), shown.size() < index.ranks().size() ? ", ..." : "");
 }
 
-Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
+Choice choose(const Grassleaf& grass, const Site& site, const InstanceContext& instance) {
   const GrassStock& stock = *grass.stock;
   const std::span<const std::uint32_t> midribs = stock.midrib_index.find(grass.rank, grass.leaf);
   if (midribs.empty() && grass.leaf && !stock.midrib_index.find(grass.rank).empty()) {
-    throw_at(out, "leaf", fmt::format("there is no leaf {} of rank {}", *grass.leaf, grass.rank),
+    throw_at(instance, "leaf", fmt::format("there is no leaf {} of rank {}", *grass.leaf, grass.rank),
              "a lindex that the file has");
   }
   if (midribs.empty()) {
-    throw_at(out, "rank",
+    throw_at(instance, "rank",
              fmt::format("there is no midrib of rank {}{}", grass.rank,
                          grass.leaf ? fmt::format(" and lindex {}", *grass.leaf) : std::string()),
              ranks_text(stock.midrib_index));
@@ -82,11 +83,12 @@ Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
   std::span<const std::uint32_t> widths = stock.width_index.find(grass.rank, midrib.leaf);
   if (widths.empty()) widths = stock.width_index.find(grass.rank);
   if (widths.empty()) {
-    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), ranks_text(stock.width_index));
+    throw_at(instance, "rank", fmt::format("there are no widths of rank {}", grass.rank),
+             ranks_text(stock.width_index));
   }
   choice.widths = widths.front();
   if (grass.stages.age && grass.age > midrib.family.last_age() + kAgeTolerance) {
-    throw_at(out, "age", fmt::format("the age {} is outside the midribs' ages", grass.age),
+    throw_at(instance, "age", fmt::format("the age {} is outside the midribs' ages", grass.age),
              fmt::format("at most {}, such as \"min({}, ...)\"", midrib.family.last_age(), midrib.family.last_age()));
   }
   return choice;
@@ -132,34 +134,37 @@ static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) ==
 /// Rounds the parameters of a leaf, unless leaves are exact.
 class Rounding {
  public:
-  Rounding(const Grassleaf& grass, const Emitter& out) : grass_(grass), out_(out) {}
+  Rounding(const Grassleaf& grass, const InstanceContext& instance) : grass_(grass), instance_(instance) {}
 
   double step(double value, double step) const { return grass_.exact ? value : to_step(value, step) + 0.0; }
   double octaves(double value, double steps) const {
     return grass_.exact || value <= 0 ? value : to_octaves(value, steps);
   }
   /// Returns a parameter of the leaf, rounded only if it varies between leaves.
-  double own(const double& number, double steps) const { return varies(number) ? step(number, steps) : number + 0.0; }
-  double own_octaves(const double& number, double steps) const {
-    return varies(number) ? octaves(number, steps) : number;
+  double own(const ComponentMember<double>& number, double steps) const {
+    return instance_.varies(number) ? step(number.value(), steps) : number.value() + 0.0;
   }
-  template <class Member>
-  bool varies(const Member& member) const {
-    return meristem::varies(out_, grass_, member);
+  double own_octaves(const ComponentMember<double>& number, double steps) const {
+    return instance_.varies(number) ? octaves(number.value(), steps) : number.value();
+  }
+  /// Returns true if a member of the leaf varies between leaves.
+  template <class M>
+  bool varies(M Grassleaf::*member) const {
+    return instance_.varies(member_of(grass_, member));
   }
 
  private:
   const Grassleaf& grass_;
-  const Emitter& out_;
+  const InstanceContext& instance_;
 };
 
 /// Returns the rounded turns of the leaf. If varying numbers put the end of a turn before its begin, the turn becomes a
 /// kink.
-std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
+std::vector<LocalTurn> turns_of(const Grassleaf& grass, const InstanceContext& instance) {
   if (!grass.stages.bend) return {};
-  const Rounding round(grass, out);
+  const Rounding round(grass, instance);
   std::vector<LocalTurn> turns = grass.turns;
-  if (!round.varies(grass.turns)) return turns;
+  if (!round.varies(&Grassleaf::turns)) return turns;
   for (LocalTurn& turn : turns) {
     turn.from = round.step(turn.from, kTurnPlaceStep);
     turn.to = std::max(turn.from, round.step(turn.to, kTurnPlaceStep));
@@ -180,11 +185,13 @@ glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
   return {-glm::dot(vector, glm::normalize(frame.axes[2])), glm::dot(vector, glm::normalize(frame.axes[1]))};
 }
 
-void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, const Rounding& round,
-                 ShapeNumbers& numbers) {
+/// Sets the forces that bend the leaf, in the plane of its midrib, and the stiffness of the leaf.
+void set_forces(const Grassleaf& grass, const Site& site, const InstanceContext& instance, const Rounding& round,
+                ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
-  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().light(site.frame.origin).vector();
+  const Vec3 all =
+      forces.pull + static_cast<float>(forces.light) * instance.directions().light(site.frame.origin).vector();
   // The wind pressure on a plate, relative to the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
@@ -195,79 +202,106 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
   };
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
-  set(out.directions().gravity(site.frame.origin).vector(), numbers.gravity_x, numbers.gravity_y);
-  numbers.stiffness = round.own_octaves(forces.strip.stiffness, kRadiusSteps);
-  numbers.tip_thickness = round.own_octaves(forces.strip.tip_thickness, kRadiusSteps);
+  set(instance.directions().gravity(site.frame.origin).vector(), numbers.gravity_x, numbers.gravity_y);
+  const ComponentMember<LeafStrip> strip = member_of(grass, &Grassleaf::forces, &GrassForces::strip);
+  numbers.stiffness = round.own_octaves(strip.part(&LeafStrip::stiffness), kRadiusSteps);
+  numbers.tip_thickness = round.own_octaves(strip.part(&LeafStrip::tip_thickness), kRadiusSteps);
 }
 
-ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
-                           const Emitter& out) {
-  const Rounding round(grass, out);
-  ShapeNumbers numbers{};
-  numbers.midrib = choice.midrib;
-  numbers.widths = choice.widths;
+/// Sets the number of the growth history. Leaves share a limited number of histories, or each has its own.
+void set_variant(const Grassleaf& grass, const Site& site, const InstanceContext& instance, ShapeNumbers& numbers) {
   const GrassVariety& vary = grass.vary;
-  const bool is_varied = vary.acts() && grass.stages.vary && grass.stages.age;
-  if (is_varied) {
-    const RandomKey own = site.key.child("life");
-    const bool is_shared = vary.variants > 0 && !grass.exact;
-    const double drawn = std::floor(own.uniform(0) * vary.variants);
-    const RandomKey life = is_shared ? out.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
-    // The bits of the key that a double can hold.
-    numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
-  }
-  numbers.width = round.octaves(width / length, kProportionSteps);
-  numbers.full_age = grass.full_age;
-  const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
+  if (!vary.acts() || !grass.stages.vary || !grass.stages.age) return;
+  const RandomKey own = site.key.child("life");
+  const bool is_shared = vary.variants > 0 && !grass.exact;
+  const double drawn = std::floor(own.uniform(0) * vary.variants);
+  const RandomKey life = is_shared ? instance.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
+  // The bits of the key that a double can hold.
+  numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
+}
+
+/// Sets the age of the leaf and the age at which a leaf is full-grown.
+void set_age(const Grassleaf& grass, const Choice& choice, const Rounding& round, ShapeNumbers& numbers) {
+  const double last = grass.stock->midribs[choice.midrib].family.last_age();
+  const double age = grass.stages.age ? grass.age : last;
   const double step = grass.full_age / kAgeSteps;
-  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(grass.age);
+  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(&Grassleaf::age);
+  numbers.full_age = grass.full_age;
   numbers.age = is_rounded ? round.step(age, step) : age;
   // Rounding must neither remove a young leaf nor make a leaf older than its midribs.
   if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
-  numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
+  numbers.age = std::min(numbers.age, last);
+}
+
+/// Sets the inclination of the leaf, or a factor on the inclination of its midrib.
+void set_inclination(const Grassleaf& grass, const Rounding& round, ShapeNumbers& numbers) {
   numbers.inclination = kOwnInclination;
   numbers.inclination_factor = 1;
-  if (grass.stages.bend) {
-    if (grass.inclination) {
-      const double inclination = *grass.inclination * grass.inclination_factor;
-      const bool is_drawn = round.varies(*grass.inclination) || round.varies(grass.inclination_factor);
-      numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
-    } else {
-      numbers.inclination_factor = round.own(grass.inclination_factor, kFactorStep);
-    }
+  if (!grass.stages.bend) return;
+  if (!grass.inclination) {
+    numbers.inclination_factor = round.own(member_of(grass, &Grassleaf::inclination_factor), kFactorStep);
+    return;
   }
-  note_forces(grass, site, out, round, numbers);
-  if (grass.stages.blade) {
-    const GrassBlade& blade = grass.blade;
-    numbers.twist = round.own(blade.twist, kShapeAngleStep);
-    numbers.fold = round.own(blade.fold, kShapeAngleStep);
-    numbers.roll = round.own(blade.roll, kShapeAngleStep);
-    if (blade.waves.number > 0 && blade.waves.depth != 0) {
-      numbers.waves = round.own(blade.waves.number, kWaveNumberStep);
-      numbers.waves_depth = round.own(blade.waves.depth, kWaveStep);
-      numbers.waves_left = round.own(blade.waves.left, 6 * kShapeAngleStep);
-      numbers.waves_right = round.own(blade.waves.right, 6 * kShapeAngleStep);
-    }
-    if (grass.sheath.length > 0) {
-      numbers.clasp = grass.sheath.clasp;
-      numbers.clasp_radius = round.octaves(sheath_radius(grass.sheath, site) / length, kRadiusSteps);
-    }
+  const double inclination = *grass.inclination * grass.inclination_factor;
+  const bool is_drawn = round.varies(&Grassleaf::inclination) || round.varies(&Grassleaf::inclination_factor);
+  numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
+}
+
+/// Sets twist, fold, roll and waves of the blade, and how it clasps its sheath.
+void set_blade(const Grassleaf& grass, const Site& site, double length, const Rounding& round, ShapeNumbers& numbers) {
+  if (!grass.stages.blade) return;
+  const ComponentMember<GrassBlade> blade = member_of(grass, &Grassleaf::blade);
+  numbers.twist = round.own(blade.part(&GrassBlade::twist), kShapeAngleStep);
+  numbers.fold = round.own(blade.part(&GrassBlade::fold), kShapeAngleStep);
+  numbers.roll = round.own(blade.part(&GrassBlade::roll), kShapeAngleStep);
+  const ComponentMember<EdgeWaves> waves = blade.part(&GrassBlade::waves);
+  if (waves.value().number > 0 && waves.value().depth != 0) {
+    numbers.waves = round.own(waves.part(&EdgeWaves::number), kWaveNumberStep);
+    numbers.waves_depth = round.own(waves.part(&EdgeWaves::depth), kWaveStep);
+    numbers.waves_left = round.own(waves.part(&EdgeWaves::left), 6 * kShapeAngleStep);
+    numbers.waves_right = round.own(waves.part(&EdgeWaves::right), 6 * kShapeAngleStep);
   }
-  if (grass.stages.reduce) {
-    numbers.polygons = grass.error ? 0 : grass.polygons;
-    numbers.error = grass.error ? round.octaves(*grass.error, kErrorSteps) : 0;
-  } else {
+  if (grass.sheath.length > 0) {
+    numbers.clasp = grass.sheath.clasp;
+    numbers.clasp_radius = round.octaves(sheath_radius(grass.sheath, site) / length, kRadiusSteps);
+  }
+}
+
+/// Sets the number of polygons of the blade, or the error that a reduction may make.
+void set_polygons(const Grassleaf& grass, const Rounding& round, ShapeNumbers& numbers) {
+  if (!grass.stages.reduce) {
     numbers.polygons = grass.source.fit.pieces;
+    return;
   }
+  numbers.polygons = grass.error ? 0 : grass.polygons;
+  numbers.error = grass.error ? round.octaves(*grass.error, kErrorSteps) : 0;
+}
+
+/// Returns all numbers that determine the shape of a leaf with this length and width, for a leaf of length 1. Leaves
+/// with equal numbers share a mesh. Numbers that vary between leaves are therefore rounded, and numbers of disabled
+/// stages stay 0.
+ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
+                           const InstanceContext& instance) {
+  const Rounding round(grass, instance);
+  ShapeNumbers numbers{};
+  numbers.midrib = choice.midrib;
+  numbers.widths = choice.widths;
+  numbers.width = round.octaves(width / length, kProportionSteps);
+  set_variant(grass, site, instance, numbers);
+  set_age(grass, choice, round, numbers);
+  set_inclination(grass, round, numbers);
+  set_forces(grass, site, instance, round, numbers);
+  set_blade(grass, site, length, round, numbers);
+  set_polygons(grass, round, numbers);
   return numbers;
 }
 
 /// Returns the value of a formula. Throws if it is not finite or too large.
 double value_of(const std::optional<ParameterFormula>& formula, std::span<const double> names, RandomKey key,
-                const Emitter& out, const char* parameter) {
+                const InstanceContext& instance, const char* parameter) {
   const double value = formula->expression.evaluate(names, key);
   if (!(std::abs(value) <= kMaxRate)) {
-    throw_at(out, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMaxRate));
+    throw_at(instance, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMaxRate));
   }
   return value;
 }
@@ -275,12 +309,13 @@ double value_of(const std::optional<ParameterFormula>& formula, std::span<const 
 /// The growth rates of one leaf. Each random call of an expression draws one number per leaf.
 class LifeRates {
  public:
-  LifeRates(const GrassVariety& vary, RandomKey key, const Emitter& out) : vary_(vary), key_(key), out_(out) {}
+  LifeRates(const GrassVariety& vary, RandomKey key, const InstanceContext& instance)
+      : vary_(vary), key_(key), instance_(instance) {}
 
   GrowthRates operator()(double lived, double visible) const {
     const std::array<double, 2> names{lived, visible};
     const auto rate = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
-      return formula ? value_of(formula, names, key_.child(parameter), out_, parameter) : 1.0;
+      return formula ? value_of(formula, names, key_.child(parameter), instance_, parameter) : 1.0;
     };
     return {rate(vary_.age, "vary.age"), rate(vary_.length, "vary.length"), rate(vary_.width, "vary.width"),
             rate(vary_.bend, "vary.bend")};
@@ -289,11 +324,11 @@ class LifeRates {
  private:
   const GrassVariety& vary_;
   RandomKey key_;
-  const Emitter& out_;
+  const InstanceContext& instance_;
 };
 
 /// Returns the leaf before bending, with a length of 1.
-GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
+GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, const InstanceContext& instance) {
   const StockedMidrib& midrib = grass.stock->midribs[static_cast<std::size_t>(numbers.midrib)];
   GrassLeaf full = midrib.form;
   full.length = 1;
@@ -301,18 +336,19 @@ GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, const 
   full.r = grass.stock->widths[static_cast<std::size_t>(numbers.widths)].fitted.r;
   if (!grass.stages.age) return full;
   if (numbers.variant == 0) return aged(full, midrib.family, numbers.age, numbers.full_age);
-  const LifeRates rates(grass.vary, RandomKey(static_cast<std::uint64_t>(numbers.variant)), out);
+  const LifeRates rates(grass.vary, RandomKey(static_cast<std::uint64_t>(numbers.variant)), instance);
   return lived(full, midrib.family, numbers.age, grass.vary.step, rates, numbers.full_age);
 }
 
-GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf, const Emitter& out) {
+GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf,
+                    const InstanceContext& instance) {
   if (!grass.stages.bend) return leaf;
   if (numbers.inclination != kOwnInclination) {
     leaf = inclined(leaf, numbers.inclination);
   } else if (numbers.inclination_factor != 1) {
     leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
   }
-  if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass, out));
+  if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass, instance));
   if (!grass.forces) return leaf;
   try {
     return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -320,7 +356,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
                    .wind = {numbers.wind_x, numbers.wind_y},
                    .gravity = {numbers.gravity_x, numbers.gravity_y}});
   } catch (const std::invalid_argument& error) {
-    throw_at(out, "forces", error.what(), "weaker forces or a stiffer leaf");
+    throw_at(instance, "forces", error.what(), "weaker forces or a stiffer leaf");
   }
 }
 
@@ -334,18 +370,18 @@ GrassLeaf reduced_leaf(const ShapeNumbers& numbers, GrassLeaf leaf, const GrassB
   return reduced(leaf, numbers.error > 0 ? points_within(order, numbers.error) : points_kept(order, pieces));
 }
 
-std::function<DVec3(double, double)> displacement(const Grassleaf& grass, const Emitter& out) {
+std::function<DVec3(double, double)> displacement(const Grassleaf& grass, const InstanceContext& instance) {
   if (!grass.f && !grass.g && !grass.h) return {};
-  return [&grass, &out](double s, double u) {
+  return [&grass, &instance](double s, double u) {
     const std::array<double, 2> names{s, u};
     const auto value = [&](const std::optional<ParameterFormula>& formula, const char* parameter) {
-      return formula ? value_of(formula, names, RandomKey(), out, parameter) : 0.0;
+      return formula ? value_of(formula, names, RandomKey(), instance, parameter) : 0.0;
     };
     return DVec3(value(grass.f, "f"), value(grass.g, "g"), value(grass.h, "h"));
   };
 }
 
-GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
+GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers, const InstanceContext& instance) {
   GrassBlade blade = grass.blade;
   blade.twist = numbers.twist;
   blade.fold = numbers.fold;
@@ -356,29 +392,30 @@ GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers, const E
   // Omit waves that so few pieces cannot show.
   const bool is_coarse = grass.stages.reduce && numbers.error == 0 && numbers.polygons < kPiecesAWave * numbers.waves;
   if (is_coarse) blade.waves.number = blade.waves.depth = 0;
-  if (grass.stages.blade) blade.displace = displacement(grass, out);
+  if (grass.stages.blade) blade.displace = displacement(grass, instance);
   return blade;
 }
 
 /// Runs all stages for one shape. Returns an empty mesh if the leaf is invisible.
-Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
-  const GrassLeaf grown = grown_leaf(grass, numbers, out);
+Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const InstanceContext& instance) {
+  const GrassLeaf grown = grown_leaf(grass, numbers, instance);
   if (!(grown.length > 0 && grown.width > 0)) return {};
-  const GrassLeaf bent = bent_leaf(grass, numbers, grown, out);
-  const GrassBlade blade = blade_of(grass, numbers, out);
+  const GrassLeaf bent = bent_leaf(grass, numbers, grown, instance);
+  const GrassBlade blade = blade_of(grass, numbers, instance);
   return make_grass_blade(reduced_leaf(numbers, bent, blade), blade);
 }
 
-void emit_sheath(const Grassleaf& grass, const Site& site, Emitter& out) {
+void emit_sheath(const Grassleaf& grass, const Site& site, const InstanceContext& instance, OrganSink& organs) {
   const GrassSheath& sheath = grass.sheath;
   const auto radius = static_cast<float>(sheath_radius(sheath, site)), length = static_cast<float>(sheath.length);
-  const double open = Rounding(grass, out).own(sheath.open, kShapeAngleStep);
-  out.blade(
+  const double open =
+      Rounding(grass, instance).own(member_of(grass, &Grassleaf::sheath, &GrassSheath::open), kShapeAngleStep);
+  organs.add_blade(
       Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, length, 0), Vec3(0, 0, radius))}, shape_key({1, open}),
       [&] { return make_sheath(open); }, Vec3(1));
   if (!(sheath.ligule > 0)) return;
   const auto height = static_cast<float>(sheath.ligule);
-  out.blade(
+  organs.add_blade(
       Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, height, 0), Vec3(0, 0, radius))}, shape_key({2}),
       [] { return make_ligule(); }, Vec3(1));
 }
@@ -391,22 +428,23 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
   return scale > 0 ? site.radius / scale : 0;
 }
 
-void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
+void expand(const Grassleaf& grass, const Site& site, const InstanceContext& instance, OrganSink& organs) {
   if (grass.stages.age && !(grass.age > 0)) return;
-  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, out);
+  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, instance, organs);
   if (grass.vary.acts() && grass.stages.vary && grass.age > kMaxLifeSteps * grass.vary.step) {
-    throw_at(out, "vary.step", fmt::format("the life up to the age {} has too many steps", grass.age),
+    throw_at(instance, "vary.step", fmt::format("the life up to the age {} has too many steps", grass.age),
              fmt::format("a step of {} or more", grass.age / kMaxLifeSteps));
   }
-  const Choice choice = choose(grass, site, out);
+  const Choice choice = choose(grass, site, instance);
   const double length = full_length(grass, choice);
   const double width = full_width(grass, choice, length);
-  const ShapeNumbers numbers = shape_numbers(grass, site, choice, length, width, out);
+  const ShapeNumbers numbers = shape_numbers(grass, site, choice, length, width, instance);
   Frame frame;
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
   frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
-  out.organ(frame, shape_hash(numbers, turns_of(grass, out)), [&] { return make_shape(grass, numbers, out); });
+  organs.add(frame, shape_hash(numbers, turns_of(grass, instance)),
+             [&] { return make_shape(grass, numbers, instance); });
 }
 
 TextureShape texture_shape(const Grassleaf& grass) {

@@ -151,7 +151,8 @@ std::uint64_t world_key(const Site& site, const StemTropisms& tropisms, const Su
   return RandomKey(key).child(tropisms.directions->key_at(site.frame.origin)).child(surroundings.hash).bits();
 }
 
-void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, CurveLeft left, Emitter& out) {
+void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, CurveLeft left,
+                  const InstanceContext& instance, OrganSink& organs) {
   if (left.share == 0) return;
   StemParameters unit = horn.stem;
   unit.radius = to_octaves(horn.stem.radius / horn.stem.length, kRadiiAnOctave);
@@ -160,15 +161,15 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
   const std::uint64_t trimmed = left.share == 1 ? 0 : shape_key({left.share, left.fits ? 1.0 : 0.0});
   const std::uint64_t key =
-      RandomKey(form).child(chance).child(world_key(site, tropisms, out.surroundings())).child(trimmed).bits();
+      RandomKey(form).child(chance).child(world_key(site, tropisms, instance.surroundings())).child(trimmed).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
   const auto length = static_cast<float>(horn.stem.length);
   frame.axes *= length;
-  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms), left); });
+  organs.add(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms), left); });
 }
 
 /// Emits a primitive at each rib: as wide and high as the curve there, and centred on it.
-void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, Emitter& out) {
+void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, OrganSink& organs) {
   const auto shape = static_cast<UnitShape>(static_cast<int>(horn.section) - static_cast<int>(Horn::Section::box));
   const Mat3 back = glm::inverse(site.frame.axes);
   const std::uint64_t key = shape_key({static_cast<double>(shape), static_cast<double>(horn.around)});
@@ -178,33 +179,34 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
     const float height = shape == UnitShape::torus ? kTorusTube * width : width;
     const Frame local{back * rib.frame.axes, back * (rib.frame.origin - site.frame.origin)};
     const Frame lowered{Mat3(1), {0, -0.5F * height, 0}};
-    out.organ(local * lowered * unit_shape_frame(shape, {width, height, width}), key,
-              [&] { return make_unit_shape(shape, horn.around); });
+    organs.add(local * lowered * unit_shape_frame(shape, {width, height, width}), key,
+               [&] { return make_unit_shape(shape, horn.around); });
   }
 }
 
-void expand(const Horn& horn, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{&out.directions(), horn.gravitropism, horn.phototropism};
+void expand(const Horn& horn, const Site& site, const InstanceContext& instance, OrganSink& organs, StemSink& stems,
+            SiteSink& sites) {
+  const StemTropisms tropisms{&instance.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
-  out.expect_parts(horn.ribs);
+  sites.expect_parts(member_of(horn, &Horn::ribs));
   const std::vector<Rib> ribs = ribs_of(horn, path);
   if (horn.section == Horn::Section::ring) {
-    out.stem(std::move(path.skeleton), horn.surface, nullptr, horn.trim);
+    stems.add(std::move(path.skeleton), horn.surface, {.trim = horn.trim});
   } else {
-    out.unseen_stem(std::move(path.skeleton), horn.trim);
-    const CurveLeft left{out.length_left(), horn.trim == TrimMode::fit};
+    stems.add_unseen(std::move(path.skeleton), horn.trim);
+    const CurveLeft left{stems.length_left(), horn.trim == TrimMode::fit};
     if (horn.section == Horn::Section::outline) {
-      emit_outline(horn, site, tropisms, left, out);
+      emit_outline(horn, site, tropisms, left, instance, organs);
     } else {
-      emit_primitives(horn, site, ribs_left(horn, path, ribs, left), out);
+      emit_primitives(horn, site, ribs_left(horn, path, ribs, left), organs);
     }
   }
   const float scale = glm::length(site.frame.heading());
   for (const Rib& rib : ribs) {
-    out.branch_site_on_stem(rib.frame, rib.u, path.length, scale * rib.radius, rib.node, rib.along);
+    sites.add_on_stem(rib.frame, rib.u, path.length, scale * rib.radius, {rib.node, rib.along});
   }
-  out.tip_site(twisted(path.frames.back(), horn.twist), path.length,
-               scale * static_cast<float>(radius_at(horn.stem, 1)));
+  sites.add_at_tip(twisted(path.frames.back(), horn.twist), path.length,
+                   scale * static_cast<float>(radius_at(horn.stem, 1)));
 }
 
 void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& reader) {

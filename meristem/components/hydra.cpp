@@ -5,15 +5,15 @@ namespace meristem {
 
 namespace {
 
-void expand(const Hydra& hydra, const Site&, Emitter& out) {
-  out.no_children();
-  const std::vector<ChildAround> children = children_around(hydra.around, out);
-  const std::vector<double> radius = out.per_child(hydra.radius, static_cast<std::uint32_t>(children.size()));
+void expand(const Hydra& hydra, const Site&, SiteSink& sites) {
+  sites.no_children();
+  const std::vector<ChildAround> children = children_around(member_of(hydra, &Hydra::around), sites);
+  const std::vector<double> radius = sites.per_child(hydra.radius, static_cast<std::uint32_t>(children.size()));
   for (std::size_t k = 0; k < children.size(); ++k) {
     Frame child{tilted(children[k].turn, children[k].angle), Vec3(0)};
     child.origin = static_cast<float>(radius[k]) * child.heading();
     child.axes *= static_cast<float>(children[k].size);
-    out.child_site(child);
+    sites.add(child);
   }
 }
 
@@ -30,8 +30,10 @@ ComponentType hydra_component() {
               .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.2}},
                          "Distance from the centre to the base of a child."),
       .expand = expand,
-      .minimum_counts = [](const Hydra& hydra,
-                           const KnownMembers& known) { return minimum_around(hydra.around, known); },
+      .minimum_counts =
+          [](const Hydra& hydra, const KnownMembers& known) {
+            return minimum_around(member_of(hydra, &Hydra::around), known);
+          },
   });
 }
 

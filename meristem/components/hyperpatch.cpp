@@ -56,12 +56,13 @@ std::vector<DVec3> control_points(const Hyperpatch& patch, const std::vector<DVe
 }
 
 /// Returns the volume of the patch, or null if its control points do not move.
-std::shared_ptr<const BezierVolume> volume_of(const Hyperpatch& patch, const Site& site, const Emitter& out) {
+std::shared_ptr<const BezierVolume> volume_of(const Hyperpatch& patch, const Site& site,
+                                              const InstanceContext& instance) {
   if (patch.points.empty() && patch.functions.is_empty()) return nullptr;
   if (!has_room(*patch.box)) {
     throw InputError(Diagnostic{.message = fmt::format("the box of instance {} of {} is flat", site.i, site.n),
                                 .expected = "corners that differ in x, y and z",
-                                .path = "components." + out.component() + ".box"});
+                                .path = "components." + instance.component() + ".box"});
   }
   const DVec3 low(patch.box->low), high(patch.box->high);
   std::vector<DVec3> points = BezierVolume::points_at_rest(low, high, degree_of(patch));
@@ -69,13 +70,13 @@ std::shared_ptr<const BezierVolume> volume_of(const Hyperpatch& patch, const Sit
     points = control_points(patch, points);
   } else {
     std::vector<DMat3> slopes(points.size());
-    map_of(patch.functions, site, out.time()).map(points, slopes);
+    map_of(patch.functions, site, instance.time()).map(points, slopes);
   }
   return std::make_shared<const BezierVolume>(low, high, degree_of(patch), points);
 }
 
-void expand(const Hyperpatch& patch, const Site& site, Emitter& out) {
-  deform_below(patch.deforming, volume_of(patch, site, out), site, out);
+void expand(const Hyperpatch& patch, const Site& site, const InstanceContext& instance, SiteSink& sites) {
+  deform_below(patch.deforming, volume_of(patch, site, instance), site, instance, sites);
 }
 
 }  // namespace

@@ -29,20 +29,22 @@ struct SharedNumbers {
   double curl, curl_across, fold;
   double petiole_radius = 1;  // constant without a stalk, so that it does not distinguish shapes
 
-  /// `varies(member)` returns true for numbers of the blade that differ between instances.
+  /// `varies(&LeafBlade::curl)` returns true if this number of the blade differs between instances.
   template <class Varies>
   SharedNumbers(const Leaf& leaf, const Varies& varies)
       : width(to_octaves(leaf.blade.width / leaf.blade.length, kLeafProportionSteps)),
         petiole(leaf.blade.petiole / leaf.blade.length) {
     const LeafBlade& exact = leaf.blade;
-    const auto angle = [&](const double& member) { return varies(member) ? to_step(member, kShapeAngleStep) : member; };
-    curl = angle(exact.curl);
-    curl_across = angle(exact.curl_across);
-    fold = angle(exact.fold);
-    if (varies(exact.length) || varies(exact.petiole)) petiole = to_step(petiole, kStalkStep);
+    const auto angle = [&](double LeafBlade::*member) {
+      return varies(member) ? to_step(exact.*member, kShapeAngleStep) : exact.*member;
+    };
+    curl = angle(&LeafBlade::curl);
+    curl_across = angle(&LeafBlade::curl_across);
+    fold = angle(&LeafBlade::fold);
+    if (varies(&LeafBlade::length) || varies(&LeafBlade::petiole)) petiole = to_step(petiole, kStalkStep);
     if (petiole <= 0) return;
     petiole_radius = exact.petiole_radius / exact.length;
-    if (varies(exact.length) || varies(exact.petiole_radius)) {
+    if (varies(&LeafBlade::length) || varies(&LeafBlade::petiole_radius)) {
       petiole_radius = to_octaves(petiole_radius, kStalkRadiusSteps);
     }
   }
@@ -61,22 +63,23 @@ LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
   return blade;
 }
 
-void expand(const Leaf& leaf, const Site&, Emitter& out) {
+void expand(const Leaf& leaf, const Site&, const InstanceContext& instance, OrganSink& organs) {
   // Most leaves reuse an existing blade.
-  const SharedNumbers shared(leaf, [&](const double& member) { return varies(out, leaf, member); });
+  const ComponentMember<LeafBlade> blade = member_of(leaf, &Leaf::blade);
+  const SharedNumbers shared(leaf, [&](double LeafBlade::*number) { return instance.varies(blade.part(number)); });
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
   frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * shared.width));
   const std::uint64_t key =
       shape_key({shared.width, shared.curl, shared.curl_across, shared.fold, shared.petiole, shared.petiole_radius,
                  static_cast<double>(leaf.blade.rows), static_cast<double>(leaf.blade.across)});
-  out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
+  organs.add(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
 }
 
 /// If leaves differ, at least two triangles of each are certain: rows where the outline is 0 have none.
 double minimum_triangles(const Leaf& leaf, const KnownMembers& known) {
-  if (known.varies(leaf.blade)) return 2;
-  const SharedNumbers shared(leaf, [](const double&) { return false; });
+  if (known.varies(member_of(leaf, &Leaf::blade))) return 2;
+  const SharedNumbers shared(leaf, [](double LeafBlade::*) { return false; });
   return static_cast<double>(leaf_blade_triangles(shared_blade(leaf.blade, shared)));
 }
 

@@ -27,17 +27,17 @@ constexpr float kShapeSteps = 8192;     // steps per extent of a polygon, to whi
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 
 /// Returns the word for drawing.
-Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
+Word derive_plant(const Lsystem& plant, const Site& site, const InstanceContext& instance, StemSink& stems) {
   const Grammar& grammar = plant.source().grammar;
   const double last = steps_of(plant);
-  double steps = out.grown_to(last);
-  if (out.grows_in_time()) {
+  double steps = stems.grown_to(last);
+  if (instance.grows_in_time()) {
     // A timed grammar has another word at each time. Other grammars draw the final word, which is then cut by time.
-    if (grammar.is_timed) out.stands_as_grown();
+    if (grammar.is_timed) stems.stands_as_grown();
     if (!grammar.is_timed) steps = last;
   }
-  return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
-                      out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
+  return derive_drawn(grammar, steps, word_key(site), instance.limits(), instance.progress(),
+                      instance.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }
 
 /// A polygon's corners in its own frame, as rounded shares of its extent, so that equal polygons share a mesh.
@@ -79,22 +79,23 @@ Vec3 tint_of(const Lsystem& plant, std::uint32_t colour) {
   return linear_from_srgb(plant.palette[std::min<std::size_t>(colour, last)]) / linear_from_srgb(kLeafGreen);
 }
 
-void emit_polygons(const Lsystem& plant, const Site& site, const WordDrawing& drawing, Emitter& out) {
+void emit_polygons(const Lsystem& plant, const Site& site, const WordDrawing& drawing, const InstanceContext& instance,
+                   OrganSink& organs, StemSink& stems) {
   const Mat3 to_instance = glm::inverse(site.frame.axes);
   for (const TurtlePolygon& polygon : drawing.polygons) {
-    out.progress().check();
+    instance.progress().check();
     const PolygonShape shape = shape_of(drawing, polygon);
     const bool is_flat = shape.extent == 0;
     const Frame frame{polygon.frame.axes, shape.base};
-    const std::optional<Frame> stands = is_flat ? std::nullopt : out.on_stem_left(polygon.node, frame);
+    const std::optional<Frame> stands = is_flat ? std::nullopt : stems.on_rest(polygon.node, frame);
     if (!stands) {
-      out.no_organ();
+      organs.skip();
       continue;
     }
     Frame local;
     local.axes = to_instance * (shape.extent * stands->axes);
     local.origin = to_instance * (stands->origin - site.frame.origin);
-    out.blade(
+    organs.add_blade(
         local, shape.key, [&] { return make_polygon(shape.corners); }, tint_of(plant, polygon.colour));
   }
 }
@@ -105,7 +106,7 @@ double step_of(const Lsystem& plant, const Site& site) {
 }
 
 /// Finishes the skeleton. Polygons and sites move with the nodes that bear them.
-void finish_drawing(const Lsystem& plant, const Site& site, WordDrawing& drawing, Emitter& out) {
+void finish_drawing(const Lsystem& plant, const Site& site, WordDrawing& drawing, const InstanceContext& instance) {
   FinishOptions wanted = *plant.finish;
   const double step = step_of(plant, site);
   if (step == 0) wanted.decimate = wanted.subdivide = 0;
@@ -122,15 +123,15 @@ void finish_drawing(const Lsystem& plant, const Site& site, WordDrawing& drawing
   const std::vector<Vec3> before = drawing.skeleton.position;
   const Vec3 root = before[0];
   const auto is_open = [&](Vec3 from, Vec3 to) {
-    return is_way_open(out.scene().obstacles, root, from - root, to - root);
+    return is_way_open(instance.scene().obstacles, root, from - root, to - root);
   };
   const auto require_nodes = [&](std::uint64_t nodes) {
-    if (nodes <= out.limits().nodes) return;
-    throw_limit("nodes", static_cast<double>(nodes), out.limits().nodes, "nodes",
-                fmt::format("components.{}.finish.subdivide", out.component()));
+    if (nodes <= instance.limits().nodes) return;
+    throw_limit("nodes", static_cast<double>(nodes), instance.limits().nodes, "nodes",
+                fmt::format("components.{}.finish.subdivide", instance.component()));
   };
   drawing.skeleton =
-      finish(std::move(drawing.skeleton), wanted, {step, is_open, require_nodes, out.progress()}, &tracked);
+      finish(std::move(drawing.skeleton), wanted, {step, is_open, require_nodes, instance.progress()}, &tracked);
 
   const auto moved_by = [&](NodeIndex node) {
     return node == kNoNode ? Vec3(0) : drawing.skeleton.position[tracked.now[node]] - before[node];
@@ -146,26 +147,27 @@ void finish_drawing(const Lsystem& plant, const Site& site, WordDrawing& drawing
   }
 }
 
-void expand(const Lsystem& plant, const Site& site, Emitter& out) {
+void expand(const Lsystem& plant, const Site& site, const InstanceContext& instance, OrganSink& organs, StemSink& stems,
+            SiteSink& sites) {
   WordDrawing drawing;
   Word word;
   try {
     const PlantGrammar& source = plant.source();
-    word = derive_plant(plant, site, out);
-    drawing = draw(word, source.grammar.alphabet, turtle_of(plant, out.directions()), site.frame, out.limits(),
-                   "components." + out.component(), out.progress());
+    word = derive_plant(plant, site, instance, stems);
+    drawing = draw(word, source.grammar.alphabet, turtle_of(plant, instance.directions()), site.frame,
+                   instance.limits(), "components." + instance.component(), instance.progress());
   } catch (const InputError& error) {
-    throw_placed(error, plant, out.component());
+    throw_placed(error, plant, instance.component());
   }
-  if (plant.finish) finish_drawing(plant, site, drawing, out);
+  if (plant.finish) finish_drawing(plant, site, drawing, instance);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
   const std::vector<TurtleSite> places = std::move(drawing.places);
-  out.stem(std::move(drawing.skeleton), plant.surface, nullptr, plant.trim);
-  emit_polygons(plant, site, drawing, out);
+  stems.add(std::move(drawing.skeleton), plant.surface, {.trim = plant.trim});
+  emit_polygons(plant, site, drawing, instance, organs, stems);
   for (const TurtleSite& mark : places) {
-    out.progress().check();
-    out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
-    if (!word.births.empty()) out.born(word.births[mark.module]);
+    instance.progress().check();
+    sites.add_named(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
+    if (!word.births.empty()) sites.born(word.births[mark.module]);
   }
 }
 

@@ -59,12 +59,12 @@ ComponentType watched(const ComponentType& type, MetInstances& met) {
   ComponentType made = type;
   made.expand = [&met](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
     Lsystem instance = *static_cast<const Lsystem*>(prototype.parameters.get());
-    const VaryingValues values(prototype.varyings, sites, out.time());
+    const VaryingValues values(prototype.varyings, sites, out.document_time());
     for (std::size_t k = 0; k < sites.size(); ++k) {
       values.apply(k, &instance);
       out.instance(instance, sites[k], k, [&](const Site& site) {
-        met.meet(instance, site, out.directions());
-        out.no_children();
+        met.meet(instance, site, out.context().directions());
+        out.sites().no_children();
       });
     }
   };

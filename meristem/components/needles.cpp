@@ -18,7 +18,7 @@ constexpr double kAlongSteps = 8;  // per octave
 constexpr double kAxisSteps = 2;   // per octave
 
 /// Returns the shared shoot, with needles of length 1.
-NeedleShoot shared_shoot(const Needles& needles, const Emitter& out) {
+NeedleShoot shared_shoot(const Needles& needles, const InstanceContext& instance) {
   const NeedleShoot& exact = needles.shoot;
   NeedleShoot shoot = exact;
   shoot.length = 1;
@@ -27,13 +27,15 @@ NeedleShoot shared_shoot(const Needles& needles, const Emitter& out) {
   shoot.axis_radius = exact.axis_radius > 0 ? to_octaves(exact.axis_radius / exact.length, kAxisSteps) : 0;
   for (double NeedleShoot::*angle :
        {&NeedleShoot::base_angle, &NeedleShoot::tip_angle, &NeedleShoot::spread, &NeedleShoot::curl}) {
-    if (varies(out, needles, exact.*angle)) shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
+    if (instance.varies(member_of(needles, &Needles::shoot, angle)))
+      shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
   }
   return shoot;
 }
 
-void expand(const Needles& needles, const Site& site, Emitter& out) {
-  NeedleShoot shoot = shared_shoot(needles, out);
+void expand(const Needles& needles, const Site& site, const InstanceContext& instance, OrganSink& organs,
+            SiteSink& sites) {
+  NeedleShoot shoot = shared_shoot(needles, instance);
   const double drawn = site.key.child("variant").uniform(0) * needles.variants;
   shoot.variant = std::min(static_cast<std::uint64_t>(drawn), static_cast<std::uint64_t>(needles.variants - 1));
   Frame frame;
@@ -43,9 +45,9 @@ void expand(const Needles& needles, const Site& site, Emitter& out) {
   }
   const std::uint64_t key = shape_key({shoot.width, shoot.along, shoot.axis_radius, shoot.base_angle, shoot.tip_angle,
                                        shoot.spread, shoot.curl, static_cast<double>(shoot.variant)});
-  out.organ(frame, key, [&] { return make_needles(shoot); });
-  out.child_site(Frame{.origin = {0, static_cast<float>(needles.shoot.along), 0}},
-                 static_cast<float>(needles.shoot.along), static_cast<float>(needles.shoot.axis_radius));
+  organs.add(frame, key, [&] { return make_needles(shoot); });
+  sites.add(Frame{.origin = {0, static_cast<float>(needles.shoot.along), 0}}, static_cast<float>(needles.shoot.along),
+            static_cast<float>(needles.shoot.axis_radius));
 }
 
 const ParameterTable& shoot_table() {

@@ -96,19 +96,20 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
 }
 
 /// Returns the share of its size that a leaf has before it falls: it withers at the pace at which it unfolds.
-float share_withered(double left, const Emitter& out) {
-  if (!out.grows_in_time()) return 1;
-  const double unfold = out.animation().unfold * *out.animation().steps_per_second;
+float share_withered(double left, const InstanceContext& instance) {
+  if (!instance.grows_in_time()) return 1;
+  const double unfold = instance.animation().unfold * *instance.animation().steps_per_second;
   const double u = unfold > 0 ? std::min(1.0, left / unfold) : 1;
   return static_cast<float>(u * u * (3 - 2 * u));
 }
 
 /// Offers a site for a leaf beside each lateral bud of young metamers. A tree that has stopped growing has no such
 /// sites.
-void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
+void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, const InstanceContext& instance,
+                  StemSink& stems, SiteSink& sites) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
-  const double youngest_bare = out.grown_to(tree.growth.iterations) - tree.leaf_age;
+  const double youngest_bare = stems.grown_to(tree.growth.iterations) - tree.leaf_age;
   const auto along = static_cast<float>(math::cos(tree.leaf_angle));
   const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
   std::vector<std::uint32_t> last(skeleton.axis_count(), 1);
@@ -122,32 +123,32 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, E
     const Vec3 side = bud_side(axis, angle[node]);
     const Vec3 bark = skeleton.position[node] + skeleton.radius[node] * side;
     Frame leaf = frame_along(bark, along * axis + aside * side, axis);
-    leaf.axes *= scale * share_withered(skeleton.birth[node] - youngest_bare, out);
-    out.branch_site_on_stem(leaf, number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
-                            skeleton.radius[node], node, 1);
+    leaf.axes *= scale * share_withered(skeleton.birth[node] - youngest_bare, instance);
+    sites.add_on_stem(leaf, number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
+                      skeleton.radius[node], {node, 1});
   }
 }
 
 /// Emits a rod from one point to another, in the component's frame.
-void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
+void show_rod(Vec3 from, Vec3 to, double radius, OrganSink& organs) {
   Frame frame = frame_along(from, normalized_or(to - from, kUp), Vec3(0, 0, 1));
   const auto thick = static_cast<float>(radius);
   frame.axes[0] *= thick;
   frame.axes[1] *= glm::distance(from, to);
   frame.axes[2] *= thick;
-  out.blade(frame, shape_key({kRodSides}), [] { return make_cylinder(1, 1, kRodSides); });
+  organs.add_blade(frame, shape_key({kRodSides}), [] { return make_cylinder(1, 1, kRodSides); });
 }
 
 /// Emits the poles and wires of each tree, and each used support of the scene once.
-void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
+void show_supports(const Organize& tree, const Frame& frame, const InstanceContext& instance, OrganSink& organs) {
   const Mat3 from_world = glm::inverse(frame.axes);
   const auto show_named = [&](const SupportParameters& support) {
-    const auto found = out.scene().supports.find(support.named);
-    if (found == out.scene().supports.end() || support.thickness <= 0) return;
+    const auto found = instance.scene().supports.find(support.named);
+    if (found == instance.scene().supports.end() || support.thickness <= 0) return;
     std::vector<Vec3> points = found->second;
     for (Vec3& point : points) point = from_world * (point - frame.origin);
     for (std::size_t k = 1; k < points.size(); ++k) {
-      show_rod(points[k - 1], points[k], 0.5 * support.thickness, out);
+      show_rod(points[k - 1], points[k], 0.5 * support.thickness, organs);
     }
   };
   const std::vector<RootPlace> places = places_of(tree);
@@ -161,7 +162,7 @@ void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
       for (std::size_t k = 0; k < places.size(); ++k) {
         if (number && static_cast<std::size_t>(*number) != k) continue;
         for (std::size_t end = 1; end < line.points.size(); ++end) {
-          show_rod(places[k].root + line.points[end - 1], places[k].root + line.points[end], line.radius, out);
+          show_rod(places[k].root + line.points[end - 1], places[k].root + line.points[end], line.radius, organs);
         }
       }
     }
@@ -170,11 +171,12 @@ void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
   std::ranges::for_each(tree.operations, show);
 }
 
-void expand(const Organize& tree, const Site& site, Emitter& out) {
-  const Skeleton skeleton = out.take_grown();
-  show_supports(tree, site.frame, out);
-  out.stem(skeleton, tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
-  offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
+void expand(const Organize& tree, const Site& site, const InstanceContext& instance, OrganSink& organs, StemSink& stems,
+            SiteSink& sites) {
+  const Skeleton skeleton = stems.take_grown();
+  show_supports(tree, site.frame, instance, organs);
+  stems.add(skeleton, tree.surface, {.trim = tree.trim, .pipe_exponent = tree.growth.radii.exponent});
+  offer_leaves(tree, skeleton, glm::length(site.frame.heading()), instance, stems, sites);
 }
 
 /// Warns if small changes of a number would make a very different tree, or if nothing can grow.
@@ -204,7 +206,7 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
 /// Warns of operations that never act. Does not warn if the number of iterations depends on a variable such as the
 /// time.
 void check_schedules(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
-  if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  if (reader.numbers().is_worked_out(DocumentPath(path, "iterations"))) return;
   const DocumentPath operations(path, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
     const OperationParameters& common = common_of(tree.operations[k]);

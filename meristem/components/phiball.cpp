@@ -16,10 +16,10 @@ constexpr double kDefaultRadius = 0.1;
 constexpr const char* kNoZone = "the zone ends where it begins, or before";
 constexpr const char* kZone = "'theta1' below 'theta2'";
 
-void expand(const Phiball& ball, const Site&, Emitter& out) {
-  out.no_children();
-  const std::uint32_t number = out.expect_parts(ball.number);
-  std::vector<double> size = out.per_child(ball.size, number);
+void expand(const Phiball& ball, const Site&, const InstanceContext& instance, SiteSink& sites) {
+  sites.no_children();
+  const std::uint32_t number = sites.expect_parts(member_of(ball, &Phiball::number));
+  std::vector<double> size = sites.per_child(ball.size, number);
   double whole = 0;
   // The last child takes the area of its current size.
   const double part = ball.number.last();
@@ -31,7 +31,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
   const double height = top - math::cos(ball.theta2);  // height of the zone on a sphere of radius 1
   if (!(height > 0)) {
     throw InputError(Diagnostic{
-        .message = kNoZone, .expected = kZone, .path = fmt::format("components.{}.theta1", out.component())});
+        .message = kNoZone, .expected = kZone, .path = fmt::format("components.{}.theta1", instance.component())});
   }
   const double radius =
       ball.area ? std::sqrt(*ball.area * whole / (2 * kPi * height)) : ball.radius.value_or(kDefaultRadius);
@@ -47,7 +47,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
     Frame child{tilted(ball.roll + 2 * kPi * turns, polar), Vec3(0)};
     child.origin = middle + static_cast<float>(radius) * child.heading();
     child.axes *= static_cast<float>(size[k]);
-    out.child_site(child, 0, static_cast<float>(radius));
+    sites.add(child, 0, static_cast<float>(radius));
   }
 }
 
@@ -89,8 +89,9 @@ ComponentType phiball_component() {
       .expand = expand,
       .minimum_counts =
           [](const Phiball& ball, const KnownMembers& known) {
-            if (ball.size.varying || known.varies(ball.size)) return MinimumCounts();
-            return MinimumCounts{.children = known.minimum(ball.number), .child_scale = ball.size.plain};
+            if (ball.size.varying || known.varies(member_of(ball, &Phiball::size))) return MinimumCounts();
+            return MinimumCounts{.children = known.minimum(member_of(ball, &Phiball::number)),
+                                 .child_scale = ball.size.plain};
           },
   });
 }

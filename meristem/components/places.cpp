@@ -203,7 +203,7 @@ Frame frame_of(const Place& place) {
   return frame;
 }
 
-std::vector<Place> table_places(const Places& places, const Site& site, const Emitter& out) {
+std::vector<Place> table_places(const Places& places, const Site& site, const InstanceContext& instance) {
   const PlaceTable& table = *places.table;
   const bool is_far = table.ground == PlaceTable::Ground::degrees;
   const DVec3 origin(places.origin_x.value_or(is_far ? table.middle.x : 0),
@@ -214,12 +214,12 @@ std::vector<Place> table_places(const Places& places, const Site& site, const Em
     if (table.rotation != nullptr) all[row].turn = table.rotation->numbers[row] * kPi / 180;
     if (table.scale != nullptr) all[row].scale = table.scale->numbers[row];
     const Vec3 at = site.frame.point(all[row].position + Vec3(0, 1e-3F, 0));
-    if (!out.scene().obstacles.contain(at)) continue;
+    if (!instance.scene().obstacles.contain(at)) continue;
     throw InputError(
         Diagnostic{.message = fmt::format("line {} of '{}' stands within an obstacle, at ({:.4g}, {:.4g}, {:.4g})",
                                           table.table.lines[row], table.file, at.x, at.y, at.z),
                    .expected = "a position outside all obstacles",
-                   .path = "components." + out.component()});
+                   .path = "components." + instance.component()});
   }
   return all;
 }
@@ -277,14 +277,14 @@ double filled_share(const PlantedArea& area) {
   return doubled_area(area.polygon) / 2 / (size.x * size.y);
 }
 
-std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const Emitter& out) {
+std::vector<Place> area_places(const PlantedArea& area, RandomKey key, const InstanceContext& instance) {
   const auto [low, size] = box_of(area);
   const double wanted = sites_of(area);
   const auto throws = static_cast<std::uint64_t>(std::min(kThrows * wanted / filled_share(area), kMaxThrows));
   Spaced spaced(distance_of(area));
   std::vector<Place> all;
   for (std::uint64_t k = 0; k < throws && static_cast<double>(all.size()) < wanted; ++k) {
-    if (k % 4096 == 0) out.progress().check();
+    if (k % 4096 == 0) instance.progress().check();
     const double x = low.x + size.x * key.uniform(k, 0U);
     const double z = low.y + size.y * key.uniform(k, 1U);
     if (is_within(area.polygon, x, z) && spaced.add(x, z)) all.push_back({Vec3(DVec3(x, 0, z)), 0, 1});
@@ -325,38 +325,38 @@ std::vector<const TextTable::Column*> given_columns(const Places& places) {
   return columns;
 }
 
-void expand(const Places& places, const Site& site, Emitter& out) {
-  out.no_children();
+void expand(const Places& places, const Site& site, const InstanceContext& instance, SiteSink& sites) {
+  sites.no_children();
   const RandomKey key = site.key.child("places");
-  std::vector<Place> all = places.table  ? table_places(places, site, out)
-                           : places.area ? area_places(*places.area, key, out)
+  std::vector<Place> all = places.table  ? table_places(places, site, instance)
+                           : places.area ? area_places(*places.area, key, instance)
                                          : line_places(*places.line, key);
   // Remove sites inside obstacles, except sites of a table.
   if (!places.table) {
     std::erase_if(all, [&](const Place& place) {
-      return out.scene().obstacles.contain(site.frame.point(place.position + Vec3(0, 1e-3F, 0)));
+      return instance.scene().obstacles.contain(site.frame.point(place.position + Vec3(0, 1e-3F, 0)));
     });
   }
-  out.expect_children(all.size());
+  sites.expect(all.size());
   const auto count = static_cast<std::uint32_t>(all.size());
-  const std::vector<double> turns = out.per_child(places.turn, count), sizes = out.per_child(places.size, count);
+  const std::vector<double> turns = sites.per_child(places.turn, count), sizes = sites.per_child(places.size, count);
   const std::vector<const TextTable::Column*> given = given_columns(places);
   std::vector<double> numbers(given.size());
   const TextTable::Column* chosen =
       places.table && !places.choose.empty() ? places.table->table.find(places.choose) : nullptr;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (k % 4096 == 0) out.progress().check();
+    if (k % 4096 == 0) instance.progress().check();
     all[k].turn += turns[k];
     all[k].scale *= sizes[k];
     const Frame frame = frame_of(all[k]);
     for (std::size_t c = 0; c < given.size(); ++c) numbers[c] = given[c]->numbers[k];
-    out.child_site(frame);
-    out.give(numbers, false);
-    if (places.table) out.from_row(k, false);
+    sites.add(frame);
+    sites.give(numbers, false);
+    if (places.table) sites.from_row(k, false);
     if (chosen == nullptr) continue;
-    out.named_site(chosen->texts[k], site.frame * frame, 0, 0, kNoNode);
-    out.give(numbers, true);
-    out.from_row(k, true);
+    sites.add_named(chosen->texts[k], site.frame * frame, 0, 0, kNoNode);
+    sites.give(numbers, true);
+    sites.from_row(k, true);
   }
 }
 
@@ -372,7 +372,7 @@ double fewest_sites(const PlantedArea& area) {
 }
 
 MinimumCounts minimum_counts(const Places& places, const KnownMembers& known) {
-  if (places.size.varying || known.varies(places.size)) return {};  // sizes may be 0
+  if (places.size.varying || known.varies(member_of(places, &Places::size))) return {};  // sizes may be 0
   MinimumCounts counts{.child_scale = places.size.plain};
   if (!places.table) {
     counts.shuns_obstacles = true;

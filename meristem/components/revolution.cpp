@@ -11,16 +11,17 @@ namespace meristem {
 namespace {
 
 /// The shape never varies between instances, so one key suffices.
-void expand(const Revolution& component, const Site&, Emitter& out) {
+void expand(const Revolution& component, const Site&, const InstanceContext& instance, OrganSink& organs,
+            SiteSink& sites) {
   const std::vector<Vec2>& silhouette = component.body.silhouette;
-  out.organ(Frame{}, 0, [&] {
+  organs.add(Frame{}, 0, [&] {
     Mesh body = make_revolution(component.body);
-    return component.shading == Revolution::Shading::flat ? flat_shaded(body, out.progress()) : body;
+    return component.shading == Revolution::Shading::flat ? flat_shaded(body, instance.progress()) : body;
   });
   float widest = 0;
   for (const Vec2 point : silhouette) widest = std::max(widest, point.x);
   const float tip = silhouette.back().y;
-  out.child_site(Frame{.origin = {0, tip, 0}}, tip - silhouette.front().y, widest);
+  sites.add(Frame{.origin = {0, tip, 0}}, tip - silhouette.front().y, widest);
 }
 
 void check_silhouette(const Revolution& component, const DocumentPath& path, ParameterReader& reader) {

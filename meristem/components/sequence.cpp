@@ -5,9 +5,9 @@ namespace meristem {
 
 namespace {
 
-void expand(const Sequence& sequence, const Site&, Emitter& out) {
-  const bool has_started = out.begin_clock(sequence.delay, sequence.speed);
-  if (!has_started && !sequence.waits) out.no_children();
+void expand(const Sequence& sequence, const Site&, SiteSink& sites) {
+  const bool has_started = sites.begin_clock(sequence.delay, sequence.speed);
+  if (!has_started && !sequence.waits) sites.no_children();
 }
 
 }  // namespace

@@ -44,43 +44,43 @@ LoftSection make_even_section(const Simple& simple) {
   return section;
 }
 
-void emit_section(const Simple& simple, Emitter& out) {
+void emit_section(const Simple& simple, OrganSink& organs) {
   const bool is_own = !simple.outline.empty();
   Frame frame;
   if (!is_own) frame.axes = Mat3(simple.size.x, 0, 0, 0, 1, 0, 0, 0, simple.size.z);
   const double segments = is_own ? 0 : simple.segments;
-  out.section(frame, shape_key({static_cast<double>(simple.shape), segments}), simple.cap,
-              [&] { return make_even_section(simple); });
+  organs.add_section(frame, shape_key({static_cast<double>(simple.shape), segments}), simple.cap,
+                     [&] { return make_even_section(simple); });
 }
 
 /// The enumerators of primitives have the order of UnitShape.
-void emit_primitive(const Simple& simple, Emitter& out) {
+void emit_primitive(const Simple& simple, const InstanceContext& instance, OrganSink& organs) {
   const auto shape = static_cast<UnitShape>(simple.shape);
   const bool is_flat = simple.shading == Simple::Shading::flat;
   // Smoothly shaded primitives keep the key that they had before the parameter existed.
   const auto number = static_cast<double>(simple.shape);
   const double segments = simple.segments;
   const std::uint64_t key = is_flat ? shape_key({number, segments, 1}) : shape_key({number, segments});
-  out.organ(unit_shape_frame(shape, simple.size), key, [&] {
+  organs.add(unit_shape_frame(shape, simple.size), key, [&] {
     const Mesh mesh = make_unit_shape(shape, simple.segments);
-    return is_flat ? flat_shaded(mesh, out.progress()) : mesh;
+    return is_flat ? flat_shaded(mesh, instance.progress()) : mesh;
   });
 }
 
-void expand(const Simple& simple, const Site&, Emitter& out) {
+void expand(const Simple& simple, const Site&, const InstanceContext& instance, OrganSink& organs, SiteSink& sites) {
   if (is_section(simple.shape)) {
-    emit_section(simple, out);
+    emit_section(simple, organs);
   } else if (simple.shape != Simple::Shape::none) {
-    emit_primitive(simple, out);
+    emit_primitive(simple, instance, organs);
   }
   Frame top;
   top.origin.y = simple.size.y;
-  out.child_site(top, simple.size.y, 0.5F * simple.size.x);
+  sites.add(top, simple.size.y, 0.5F * simple.size.x);
 }
 
 double minimum_triangles(const Simple& simple, const KnownMembers& known) {
   if (is_section(simple.shape) || simple.shape == Simple::Shape::none) return 0;
-  const int segments = std::max(3, static_cast<int>(known.minimum(simple.segments)));
+  const int segments = std::max(3, static_cast<int>(known.minimum(member_of(simple, &Simple::segments))));
   return unit_shape_triangles(static_cast<UnitShape>(simple.shape), segments);
 }
 

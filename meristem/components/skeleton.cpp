@@ -42,14 +42,14 @@ void prepare(SkeletonFromFile& plant, const DocumentPath& path, ParameterReader&
   plant.skeleton = std::make_shared<const Skeleton>(std::move(*skeleton));
 }
 
-void expand(const SkeletonFromFile& plant, const Site& site, Emitter& out) {
+void expand(const SkeletonFromFile& plant, const Site& site, StemSink& stems) {
   Skeleton skeleton = *plant.skeleton;
   const float scale = glm::length(site.frame.heading());
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     skeleton.position[node] = site.frame.point(skeleton.position[node]);
     skeleton.radius[node] *= scale;
   }
-  out.stem(std::move(skeleton), plant.surface, nullptr, plant.trim);
+  stems.add(std::move(skeleton), plant.surface, {.trim = plant.trim});
 }
 
 /// The parameter table of a finish in metres, because there is no growth step.

@@ -24,7 +24,7 @@ const ParameterTable& set_table() {
 
 /// Opens the document and resolves the names in `set`.
 void open(Subdocument& document, const DocumentPath& path, ParameterReader& reader) {
-  document.source = reader.plant_source(document.file, DocumentPath(path, "file"));
+  document.source = reader.files().plant_source(document.file, DocumentPath(path, "file"));
   if (document.source == nullptr) return;
   const DocumentPath set(path, "set");
   for (auto& [name, set_value] : document.set) {
@@ -39,7 +39,8 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     set_value.min = handle.min;
     set_value.max = handle.max;
     const bool is_beyond = set_value.value < handle.min || handle.max < set_value.value;
-    if (!is_beyond || reader.is_worked_out(own) || reader.is_worked_out(DocumentPath(own, "value"))) continue;
+    if (!is_beyond || reader.numbers().is_worked_out(own) || reader.numbers().is_worked_out(DocumentPath(own, "value")))
+      continue;
     reader.add_error(own, fmt::format("{} = {:.12g} lies beyond the variable's own range", name, set_value.value),
                      fmt::format("{:.12g} to {:.12g}", handle.min, handle.max));
   }
@@ -53,12 +54,12 @@ std::uint64_t seed_of(const Subdocument& document, const Site& site) {
   return 1 + std::min(drawn, static_cast<std::uint64_t>(*document.variants - 1));
 }
 
-void expand(const Subdocument& document, const Site& site, Emitter& out) {
+void expand(const Subdocument& document, const Site& site, OrganSink& organs) {
   PlantRequest request{.seed = seed_of(document, site)};
   for (const auto& [name, set] : document.set) {
     request.values.emplace_back(name, std::clamp(set.value, set.min, set.max));
   }
-  out.plant(Frame{}, document.source, std::move(request));
+  organs.add_plant(Frame{}, document.source, std::move(request));
 }
 
 }  // namespace
@@ -86,8 +87,10 @@ ComponentType subdocument_component() {
       .expand = expand,
       .minimum_counts =
           [](const Subdocument& document, const KnownMembers& known) {
-            const bool has_own_seeds = !document.seed && !document.variants && !known.varies(document.seed);
-            const bool is_placed = known.varies(document.place) || document.place.scale != Vec3(1);
+            const bool has_own_seeds =
+                !document.seed && !document.variants && !known.varies(member_of(document, &Subdocument::seed));
+            const bool is_placed =
+                known.varies(member_of(document, &ComponentBase::place)) || document.place.scale != Vec3(1);
             return MinimumCounts{.grows_other = has_own_seeds && !is_placed};
           },
   });

@@ -20,7 +20,8 @@ Skeleton straight_stem(const StemParameters& form, const Site& site) {
 
 /// Returns the bends of a stem caused by its branches. The branches have the positions of links without their own keys.
 /// These depend only on lengths, not on the stem's bends.
-std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emitter& out) {
+std::vector<StemBend> deflections(const Tree& tree, const Site& site, const InstanceContext& instance,
+                                  const StemSink& stems) {
   BranchPlacement outward = tree.branching;
   outward.angle = kPi / 2;
   outward.angle_tip.reset();
@@ -29,11 +30,11 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
   PlacementContext context{.stance = BranchStance::on_axis,
                            .has_twigs = false,
                            .parent = site,
-                           .places = out.places_on_next_stem(),
-                           .limits = &out.limits(),
-                           .scene = &out.scene(),
-                           .progress = &out.progress(),
-                           .path = "components." + out.component()};
+                           .places = stems.places_on_next(),
+                           .limits = &instance.limits(),
+                           .scene = &instance.scene(),
+                           .progress = &instance.progress(),
+                           .path = "components." + instance.component()};
   const Mat3 to_stem = glm::transpose(site.frame.axes);
   std::vector<StemBend> bends;
   for (const Site& child : place_along(straight_stem(tree.stem, site), outward, context)) {
@@ -46,22 +47,24 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 
 MinimumCounts minimum_counts(const Tree& tree, const KnownMembers& known) {
   MinimumCounts counts{.children = 1};
-  if (!known.varies(tree.stem.segments)) counts.nodes = tree.stem.segments + 1.0;
+  if (!known.varies(member_of(tree, &Tree::stem, &StemParameters::segments))) counts.nodes = tree.stem.segments + 1.0;
   const BranchPlacement& own = tree.branching;
   const BranchPlacement plain;
-  counts.bears_along = tree.stem.length > 0 && !known.varies(tree.stem.length) && !known.varies(own) && !own.where &&
-                       own.spread == plain.spread && own.size == plain.size && own.start == 0 && own.end == 1;
+  const bool varies = known.varies(member_of(tree, &Tree::stem, &StemParameters::length)) ||
+                      known.varies(member_of(tree, &Tree::branching));
+  counts.bears_along = tree.stem.length > 0 && !varies && !own.where && own.spread == plain.spread &&
+                       own.size == plain.size && own.start == 0 && own.end == 1;
   return counts;
 }
 
-void expand(const Tree& tree, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{&out.directions(), tree.gravitropism, tree.phototropism};
+void expand(const Tree& tree, const Site& site, const InstanceContext& instance, StemSink& stems, SiteSink& sites) {
+  const StemTropisms tropisms{&instance.directions(), tree.gravitropism, tree.phototropism};
   std::vector<StemBend> bends;
-  if (tree.deflection != 0) bends = deflections(tree, site, out);
+  if (tree.deflection != 0) bends = deflections(tree, site, instance, stems);
   StemPath path = grow_stem(tree.stem, site, tropisms, bends);
   const float tip_radius = path.skeleton.radius.back();
-  out.stem(std::move(path.skeleton), tree.surface, &tree.branching, tree.trim);
-  out.tip_site(path.frames.back(), path.length, tip_radius);
+  stems.add(std::move(path.skeleton), tree.surface, {.branching = &tree.branching, .trim = tree.trim});
+  sites.add_at_tip(path.frames.back(), path.length, tip_radius);
 }
 
 }  // namespace

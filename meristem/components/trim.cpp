@@ -13,8 +13,8 @@ namespace meristem {
 
 namespace {
 
-void expand(const Trim& trim, const Site& site, Emitter& out) {
-  Surroundings around = out.surroundings();
+void expand(const Trim& trim, const Site& site, const InstanceContext& instance, SiteSink& sites) {
+  Surroundings around = instance.surroundings();
   if (trim.off) around.trim = nullptr;
   if (trim.body) {
     CrownPointer body = std::make_shared<PlacedCrown>(build_crown(*trim.body), site.frame);
@@ -24,7 +24,7 @@ void expand(const Trim& trim, const Site& site, Emitter& out) {
     }
     around.trim = std::move(body);
   }
-  out.surround(std::move(around));
+  sites.surround(std::move(around));
 }
 
 }  // namespace

@@ -20,15 +20,15 @@ const ParameterTable& avoid_table() {
   return table;
 }
 
-void expand(const World& world, const Site& site, Emitter& out) {
-  Surroundings said = out.surroundings();
-  const Directions above = world.off ? out.scene().directions() : out.directions();
+void expand(const World& world, const Site& site, const InstanceContext& instance, SiteSink& sites) {
+  Surroundings said = instance.surroundings();
+  const Directions above = world.off ? instance.scene().directions() : instance.directions();
   const auto sense = [&](const FieldSense& there, const std::optional<WorldField>& form, const char* name) {
     if (!form) return there;
     const FieldPlace place{.frame = site.frame,
-                           .time = out.time(),
+                           .time = instance.time(),
                            .key = site.key.child(name),
-                           .path = "components." + out.component() + "." + name,
+                           .path = "components." + instance.component() + "." + name,
                            .what = std::string(name) + " field"};
     return there.with(build_field(*form, place), form->add);
   };
@@ -40,7 +40,7 @@ void expand(const World& world, const Site& site, Emitter& out) {
         std::make_shared<const KeptOut>(build_crown(world.avoid->body), site.frame, scale * world.avoid->reach));
   }
   said.directions = std::make_shared<const Directions>(std::move(made));
-  out.surround(std::move(said));
+  sites.surround(std::move(said));
 }
 
 }  // namespace

@@ -5,14 +5,14 @@ namespace meristem {
 
 namespace {
 
-void expand(const Wreath& wreath, const Site&, Emitter& out) {
-  out.no_children();
+void expand(const Wreath& wreath, const Site&, SiteSink& sites) {
+  sites.no_children();
   const auto radius = static_cast<float>(wreath.diameter / 2);
-  for (const ChildAround& place : children_around(wreath.around, out)) {
+  for (const ChildAround& place : children_around(member_of(wreath, &Wreath::around), sites)) {
     Frame child{tilted(place.turn, place.angle), Vec3(0)};
     child.origin = radius * tilted(place.turn, kPi / 2)[1];
     child.axes *= static_cast<float>(place.size);
-    out.child_site(child, 0, radius);
+    sites.add(child, 0, radius);
   }
 }
 
@@ -28,8 +28,10 @@ ComponentType wreath_component() {
                         .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000},
                                 "Diameter of the ring on which the children stand."),
       .expand = expand,
-      .minimum_counts = [](const Wreath& wreath,
-                           const KnownMembers& known) { return minimum_around(wreath.around, known); },
+      .minimum_counts =
+          [](const Wreath& wreath, const KnownMembers& known) {
+            return minimum_around(member_of(wreath, &Wreath::around), known);
+          },
   });
 }
 

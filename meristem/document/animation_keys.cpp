@@ -343,7 +343,7 @@ class KeyReader {
   }
 
   Value one_number(const Parameter& number, const Value& value, const DocumentPath& place) {
-    return reader_.number(number, value, place).value_or(0);
+    return reader_.numbers().read(number, value, place).value_or(0);
   }
 
   Value now(const Value::List& list, bool is_whole) const {

@@ -32,17 +32,17 @@ ComponentType spike_component() {
               .number("opening", &Spike::opening, {.unit = Unit::degree, .min = 0, .max = 180},
                       "Between axis and child."),
       .expand =
-          [](const Spike& spike, const Site&, Emitter& out) {
+          [](const Spike& spike, const Site&, OrganSink& organs, SiteSink& sites) {
             Frame stretched;
             stretched.axes *= static_cast<float>(spike.length);
-            out.organ(stretched, shape_key({spike.radius / spike.length}),
-                      [&] { return make_cone(spike.radius / spike.length, 1, 8); });
-            out.no_children();
+            organs.add(stretched, shape_key({spike.radius / spike.length}),
+                       [&] { return make_cone(spike.radius / spike.length, 1, 8); });
+            sites.no_children();
             for (int k = 0; k < spike.number; ++k) {
               Frame child;
               child.axes = rotation({0, 1, 0}, 2 * kPi * k / spike.number) * rotation({1, 0, 0}, spike.opening);
               child.origin.y = static_cast<float>(0.9 * spike.length);
-              out.child_site(child, static_cast<float>(spike.length));
+              sites.add(child, static_cast<float>(spike.length));
             }
           },
   });

@@ -84,14 +84,14 @@ class DocumentReader {
 
     ParameterReader reader(solved.constants, document.graph.limits, access_);
     reader.stop_with(options_.progress);
-    reader.note_expressions(options_.expression_paths);
+    reader.expressions().note_expressions(options_.expression_paths);
     read_animation(reader, document.graph);
     if (own_) {
       for (KeyedParameter& parameter : put_other_keys(*own_, registry_, options_.time, reader)) {
         keyed.push_back(std::move(parameter));
       }
     }
-    reader.expect_keys(paths_of_keys(keyed));
+    reader.numbers().expect_keys(paths_of_keys(keyed));
     document.variables = read_variables(given_variables, solved, reader);
     document.source.variable_notes = note_variables(document.variables, solved, document.source.overridden);
     read_head(reader, document);
@@ -100,7 +100,7 @@ class DocumentReader {
     if (const Value* given = root_->find("links")) links.read(*given, DocumentPath(top_, "links"));
     links.link_placed(DocumentPath(top_, "components"));
     warn_of_variables(*root_, document.variables, reader);
-    for (const NamedFile& file : reader.files()) {
+    for (const NamedFile& file : reader.files().named()) {
       document.source.named_files.push_back(file.path);
       if (file.is_beside) document.source.files_beside.push_back(file.path);
     }
@@ -213,14 +213,16 @@ class DocumentReader {
     for (auto& [name, support] : head.scene.supports) document.scene.supports[name] = std::move(support.line);
     if (reader.error_count() > 0) return;
     const Value* scene = root_->find("scene");
-    document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constant_table(),
-                                                reader.files(), reader.limits().file_bytes);
+    document.scene.fingerprint =
+        fingerprint_of(scene != nullptr ? *scene : Value(), reader.expressions().constant_table(),
+                       reader.files().named(), reader.limits().file_bytes);
     light_scene(head.scene.light, DocumentPath(top_, "scene"), reader, document.scene);
     if (head.scene.obstacles.empty()) return;
     const Value* obstacles = scene->find("obstacles");
-    const auto said = fingerprint_of(*obstacles, reader.constant_table(), reader.files(), reader.limits().file_bytes);
+    const auto said = fingerprint_of(*obstacles, reader.expressions().constant_table(), reader.files().named(),
+                                     reader.limits().file_bytes);
     const auto build = [&] { return build_obstacles(head.scene.obstacles); };
-    document.scene.obstacles = said ? *reader.kept<Obstacles>(Fingerprint().add(*said), build) : build();
+    document.scene.obstacles = said ? *reader.files().kept<Obstacles>(Fingerprint().add(*said), build) : build();
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {
@@ -252,7 +254,7 @@ class DocumentReader {
       }
     };
     read_all(true);
-    reader.add_instance_names(graph.site_names);
+    reader.expressions().add_instance_names(graph.site_names);
     read_instance_variables(root_->find("variables"), graph, reader);
     read_all(false);
   }
@@ -269,7 +271,7 @@ class DocumentReader {
     if (reader.error_count() > 0) return;
     GivenNames given = prototype.type->gives(prototype.parameters.get());
     for (const std::string& name : given.names) {
-      if (reader.constant_table().names().contains(name)) {
+      if (reader.expressions().constant_table().names().contains(name)) {
         reader.add_error(path, fmt::format("'{}' is a column here and a variable of the document", name),
                          "another name for one of them");
       }
@@ -279,7 +281,7 @@ class DocumentReader {
       }
       prototype.given_slots.push_back(static_cast<std::uint32_t>(*columns_.find(name)));
     }
-    for (auto& [name, reason] : given.refused) reader.refuse_instance_name(name, std::move(reason));
+    for (auto& [name, reason] : given.refused) reader.expressions().refuse_instance_name(name, std::move(reason));
   }
 
   /// Returns the type of a component, or null after a fault. A faulty component stays in the graph without a type, so
@@ -315,14 +317,14 @@ class DocumentReader {
     prototype.type = &type;
     prototype.parameters = prototype.type->make_parameters();
     const std::size_t errors_before = reader.error_count();
-    const std::size_t files_before = reader.files().size();
+    const std::size_t files_before = reader.files().named().size();
     const Value whole = with_shown(reader, prototype, value, path);
     if (reader.error_count() != errors_before) return;
     prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), whole, path);
     if (reader.error_count() != errors_before) return;
     check_shown(reader, prototype, value, path);
-    set_fingerprints(prototype, whole, reader.constant_table(), std::span(reader.files()).subspan(files_before),
-                     reader.limits());
+    set_fingerprints(prototype, whole, reader.expressions().constant_table(),
+                     std::span(reader.files().named()).subspan(files_before), reader.limits());
   }
 
   /// Reports rows of a component that have no effect because the component shows the remains of another one's growth.

@@ -71,7 +71,7 @@ class InstanceVariableReader {
       names.push_back(draft.name);
     }
     graph_.site_names.insert(graph_.site_names.end(), names.begin(), names.end());
-    reader_.add_instance_names(names);
+    reader_.expressions().add_instance_names(names);
     const std::size_t errors_before = reader_.error_count();
     for (Draft& draft : drafts_) read(draft);
     if (reader_.error_count() == errors_before) add_in_order();
@@ -98,8 +98,9 @@ class InstanceVariableReader {
       draft.value.first = draft.value.last = *value->number();
       return;
     }
-    draft.value.expression = reader_.expression(*value, DocumentPath(own, "value"), reader_.instance_names());
-    draft.value.names = reader_.instance_names().size();
+    draft.value.expression =
+        reader_.expressions().read(*value, DocumentPath(own, "value"), reader_.expressions().instance_names());
+    draft.value.names = reader_.expressions().instance_names().size();
     if (!draft.value.expression) return;
     const std::size_t first = site_variables().size() + first_slot_;
     for (std::size_t k = 0; k < drafts_.size(); ++k) {
@@ -158,7 +159,7 @@ class InstanceVariableReader {
     variable.owner = draft.owner;
     variable.value = draft.value;
     variable.slot = static_cast<std::uint32_t>(first_slot_ + k);
-    variable.fingerprint = fingerprint_of(*draft.said, reader_.constant_table(), {}, 0).value_or(0);
+    variable.fingerprint = fingerprint_of(*draft.said, reader_.expressions().constant_table(), {}, 0).value_or(0);
   }
 
   void tell_circle(const std::vector<bool>& is_added) {

@@ -262,10 +262,12 @@ void warn_of_variables(const Value& root, const std::vector<Variable>& variables
     const Value* said = root.find(part);
     if (said != nullptr && !unused.empty()) for_each_mention(*said, take_out);
   }
-  for (const NamedFile& file : reader.files()) {
+  for (const NamedFile& file : reader.files().named()) {
     if (unused.empty()) break;
     const auto text = [&] { return text_of_grammar(file.path); };
-    const auto kept = [&] { return reader.kept<std::string>(Fingerprint().add_text(file.path).add(*file.hash), text); };
+    const auto kept = [&] {
+      return reader.files().kept<std::string>(Fingerprint().add_text(file.path).add(*file.hash), text);
+    };
     for_each_name(file.hash ? *kept() : text(), take_out);
   }
   const DocumentPath top;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "meristem/graph/emitter.h"
+#include "meristem/graph/emitted.h"
 #include "meristem/graph/site_list.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/grow/growth_trace.h"

@@ -9,9 +9,9 @@
 //         .traits = {.name = "spike", .doc = "A cone."},
 //         .parameters = Table<Spike>("a spike", "A cone.")
 //                           .number("length", &Spike::length, {.unit = Unit::metre, .min = 0}, "Base to apex."),
-//         .expand = [](const Spike& spike, const Site&, Emitter& out) {
-//           out.organ(Frame{}, shape_key({spike.length}), [&] { return make_cone(0.1, spike.length, 8); });
-//           out.child_site(Frame{.origin = {0, spike.length, 0}});
+//         .expand = [](const Spike& spike, const Site&, OrganSink& organs, SiteSink& sites) {
+//           organs.add(Frame{}, shape_key({spike.length}), [&] { return make_cone(0.1, spike.length, 8); });
+//           sites.add(Frame{.origin = {0, spike.length, 0}});
 //         },
 //     });
 //   }
@@ -23,6 +23,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "meristem/base/limits.h"
@@ -128,7 +129,7 @@ struct ComponentType : ComponentTraits {
   std::function<TextureShape(const void* parameters)> texture_shape;
   /// Lists the components that it places without a link in the document. Null if there are none.
   std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
-  /// Returns the names of the values that it gives its descendants (Emitter::give). Null if it gives none.
+  /// Returns the names of the values that it gives its descendants (SiteSink::give). Null if it gives none.
   std::function<GivenNames(const void* parameters)> gives;
   /// Returns the minimum counts of each instance. Null if nothing is known.
   std::function<MinimumCounts(const void* parameters, const KnownMembers& known)> minimum_counts;
@@ -180,24 +181,53 @@ void set_fingerprints(Prototype& prototype, const Value& value, const ConstantTa
 /// is checked.
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const SizeLimits& limits);
 
+/// The function of a component type that expands one instance with parameters P. After the parameters and the site it
+/// takes what it needs, in any order: `const InstanceContext&`, `OrganSink&`, `StemSink&` and `SiteSink&`, or
+/// `Emitter&` for all of them.
+template <class P>
+class ExpandFunction {
+ public:
+  ExpandFunction() = default;
+  /// A function.
+  template <class... Needed>
+  ExpandFunction(void (*function)(const P&, const Site&, Needed&...))  // NOLINT(google-explicit-constructor)
+      : function_(reinterpret_cast<void (*)()>(function)),
+        call_([](void (*erased)(), const P& parameters, const Site& site, Emitter& out) {
+          const auto own = reinterpret_cast<void (*)(const P&, const Site&, Needed&...)>(erased);
+          own(parameters, site, out.template get<Needed>()...);
+        }) {}
+  /// A lambda without captures.
+  template <class Lambda>
+  requires std::is_class_v<Lambda> && requires(Lambda lambda) { +lambda; }
+  ExpandFunction(Lambda lambda) : ExpandFunction(+lambda) {}  // NOLINT(google-explicit-constructor)
+
+  void operator()(const P& parameters, const Site& site, Emitter& out) const {
+    call_(function_, parameters, site, out);
+  }
+
+ private:
+  void (*function_)() = nullptr;
+  void (*call_)(void (*)(), const P&, const Site&, Emitter&) = nullptr;
+};
+
 /// Defines a component type with parameter struct P, which derives from ComponentBase.
 template <class P>
 struct ComponentDefinition {
   ComponentTraits traits;  ///< facts about the type
   Table<P> parameters;     ///< rows of the parameters
-  /// Makes one instance's geometry and the sites of its children through `out`, relative to the instance's own frame.
-  void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
-  /// For components that grow: plants one instance at its site. After the growth, `out.take_grown()` in `expand`
-  /// returns the skeleton. P derives from GrowingComponent if the component competes with others.
+  /// Makes one instance's geometry and the sites of its children, relative to the instance's own frame.
+  ExpandFunction<P> expand;
+  /// For components that grow: plants one instance at its site. After the growth, `StemSink::take_grown` returns the
+  /// skeleton in `expand`. P derives from GrowingComponent if the component competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
   /// Returns the shape that the uvs of its geometry cover, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
-  /// Lists the components that `expand` places with `out.named_site`, in the order of the numbers used there.
+  /// Lists the components that `expand` places with `SiteSink::add_named`, in the order of the numbers used there.
   std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
   /// For components that show another one: returns true if they use the other component's growth through
-  /// `out.watched_growth`.
+  /// `InstanceContext::watched_growth`.
   bool (*watches_growth)(const P& parameters) = nullptr;
-  /// Returns the names of the values that `expand` gives with `out.give`.
+  /// Returns the names of the values that `expand` gives with `SiteSink::give`.
   GivenNames (*gives)(const P& parameters) = nullptr;
   /// Returns the minimum counts of each instance, so that too many instances are refused before any is made.
   /// `parameters` has plain values; its members that differ from instance to instance must not be used (see `known`).
@@ -235,7 +265,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.base = [](const void* parameters) -> const ComponentBase& { return *static_cast<const P*>(parameters); };
   type.expand = [expand = definition.expand](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
     P instance = *static_cast<const P*>(prototype.parameters.get());
-    const VaryingValues values(prototype.varyings, sites, out.time());
+    const VaryingValues values(prototype.varyings, sites, out.document_time());
     for (std::size_t k = 0; k < sites.size(); ++k) {
       values.apply(k, &instance);
       out.instance(instance, sites[k], k, [&](const Site& site) { expand(instance, site, out); });

@@ -108,15 +108,14 @@ class Forecast {
  private:
   static MinimumCounts minimum_counts(const Prototype& prototype) {
     if (!prototype.type->minimum_counts) return {};
-    const void* const parameters = prototype.parameters.get();
-    const KnownMembers known(parameters, prototype.varyings);
+    const KnownMembers known(prototype.varyings);
     const ComponentBase& base = prototype.base();
-    MinimumCounts counts = prototype.type->minimum_counts(parameters, known);
+    MinimumCounts counts = prototype.type->minimum_counts(prototype.parameters.get(), known);
     const bool may_be_left_out = base.omit || base.only;
     if (may_be_left_out) counts.nodes = 0;
     if (may_be_left_out || base.hidden) counts.grows_other = false;
     if (may_be_left_out && !base.omit_keeps_children) return {};
-    if (known.varies(base.frame.scale)) return {};
+    if (known.varies(member_of(base, &ComponentBase::frame, &InstanceTransform::scale))) return {};
     const Vec3 scale = base.frame.scale;
     counts.child_scale =
         std::min(1.0, counts.child_scale) * std::min(1.0, std::cbrt(std::abs(double{scale.x} * scale.y * scale.z)));
@@ -142,9 +141,8 @@ class Forecast {
     for (std::size_t c = 0; c < triangles.size(); ++c) {
       const Prototype& prototype = graph_.components[c];
       if (visible_[c] < kFewInstances || !prototype.type->minimum_triangles) continue;
-      const void* const parameters = prototype.parameters.get();
-      const KnownMembers known(parameters, prototype.varyings);
-      triangles[c] = visible_[c] * prototype.type->minimum_triangles(parameters, known);
+      const KnownMembers known(prototype.varyings);
+      triangles[c] = visible_[c] * prototype.type->minimum_triangles(prototype.parameters.get(), known);
     }
     return triangles;
   }

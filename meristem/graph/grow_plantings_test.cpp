@@ -58,20 +58,20 @@ class Nursery : public PlantSource {
 };
 
 const std::shared_ptr<const PlantSource> kNursery = std::make_shared<const Nursery>();
-std::function<void(Emitter& out)> expansion;
+std::function<void(OrganSink& organs)> expansion;
 
 struct Planter : ComponentBase {};
 
-ComponentType type(ComponentTraits traits, void (*expand)(const Planter&, const Site&, Emitter&)) {
+ComponentType type(ComponentTraits traits, ExpandFunction<Planter> expand) {
   return define_component<Planter>(
       {.traits = std::move(traits), .parameters = Table<Planter>("a planter", "A test's."), .expand = expand});
 }
 
 const Registry& registry() {
   static const Registry made(
-      {type({.name = "camera", .doc = "The root.", .is_camera = true}, [](const Planter&, const Site&, Emitter&) {}),
+      {type({.name = "camera", .doc = "The root.", .is_camera = true}, [](const Planter&, const Site&) {}),
        type({.name = "planter", .doc = "Requests plants.", .has_geometry = false, .is_whole_plant = true},
-            [](const Planter&, const Site&, Emitter& out) { expansion(out); })});
+            [](const Planter&, const Site&, OrganSink& organs) { expansion(organs); })});
   return made;
 }
 
@@ -81,21 +81,21 @@ GraphBuilder garden() {
   return builder;
 }
 
-Plant grow(const GraphBuilder& builder, std::function<void(Emitter& out)> with, Cache* cache = nullptr) {
+Plant grow(const GraphBuilder& builder, std::function<void(OrganSink& organs)> with, Cache* cache = nullptr) {
   expansion = std::move(with);
   grown = 0;
   return builder.grow(0, {}, cache);
 }
 
-void request(Emitter& out, float x, double nodes, std::uint64_t seed = 1) {
-  out.plant(Frame{.origin = {x, 0, 0}}, kNursery, {.values = {{"nodes", nodes}}, .seed = seed});
+void request(OrganSink& organs, float x, double nodes, std::uint64_t seed = 1) {
+  organs.add_plant(Frame{.origin = {x, 0, 0}}, kNursery, {.values = {{"nodes", nodes}}, .seed = seed});
 }
 
 TEST(GrowPlantings, EqualRequestsAreGrownOnceAndStandInSeveralPlaces) {
-  const Plant plant = grow(garden(), [](Emitter& out) {
-    request(out, 1, 4);
-    request(out, 2, 5);
-    request(out, 3, 4);
+  const Plant plant = grow(garden(), [](OrganSink& organs) {
+    request(organs, 1, 4);
+    request(organs, 2, 5);
+    request(organs, 3, 4);
   });
   EXPECT_EQ(grown, 2);
   ASSERT_EQ(plant.plantings.size(), 2U) << "in the order of the first requests";
@@ -108,9 +108,9 @@ TEST(GrowPlantings, EqualRequestsAreGrownOnceAndStandInSeveralPlaces) {
 }
 
 TEST(GrowPlantings, AnotherSeedIsAnotherPlant) {
-  const Plant plant = grow(garden(), [](Emitter& out) {
-    request(out, 0, 4, 1);
-    request(out, 0, 4, 2);
+  const Plant plant = grow(garden(), [](OrganSink& organs) {
+    request(organs, 0, 4, 1);
+    request(organs, 0, 4, 2);
   });
   EXPECT_EQ(grown, 2);
   ASSERT_EQ(plant.plantings.size(), 2U);
@@ -118,9 +118,9 @@ TEST(GrowPlantings, AnotherSeedIsAnotherPlant) {
 }
 
 TEST(GrowPlantings, PlacesThatHaveShrunkToNothingHaveNoPlant) {
-  const Plant plant = grow(garden(), [](Emitter& out) {
-    out.plant(Frame{.axes = Mat3(0)}, kNursery, {});
-    out.plant(Frame{}, kNursery, {});
+  const Plant plant = grow(garden(), [](OrganSink& organs) {
+    organs.add_plant(Frame{.axes = Mat3(0)}, kNursery, {});
+    organs.add_plant(Frame{}, kNursery, {});
   });
   ASSERT_EQ(plant.plantings.size(), 1U);
   ASSERT_EQ(plant.plantings[0].places.size(), 1U);
@@ -131,8 +131,8 @@ TEST(GrowPlantings, TheFirstFaultIsToldAtTheComponentOnAnyNumberOfThreads) {
   for (const unsigned threads : {1U, 3U}) {
     const ThreadLimit limit(threads);
     const auto errors = errors_of([] {
-      grow(garden(), [](Emitter& out) {
-        for (const double nodes : {3.0, -1.0, 4.0, -2.0}) request(out, 0, nodes);
+      grow(garden(), [](OrganSink& organs) {
+        for (const double nodes : {3.0, -1.0, 4.0, -2.0}) request(organs, 0, nodes);
       });
     });
     ASSERT_EQ(errors.size(), 1U);
@@ -145,8 +145,8 @@ TEST(GrowPlantings, TheFirstFaultIsToldAtTheComponentOnAnyNumberOfThreads) {
 TEST(GrowPlantings, MoreThanAThousandDifferentPlantsAreAnError) {
   const auto plants = [](int count) {
     return errors_of([&] {
-      grow(garden(), [&](Emitter& out) {
-        for (int k = 0; k < count; ++k) request(out, 0, 1, static_cast<std::uint64_t>(k));
+      grow(garden(), [&](OrganSink& organs) {
+        for (int k = 0; k < count; ++k) request(organs, 0, 1, static_cast<std::uint64_t>(k));
       });
     });
   };
@@ -161,9 +161,9 @@ TEST(GrowPlantings, TheirNodesAreLimited) {
   auto builder = garden();
   builder.node_limit(10);
   const auto errors = errors_of([&] {
-    grow(builder, [](Emitter& out) {
-      request(out, 0, 6);
-      request(out, 0, 5);
+    grow(builder, [](OrganSink& organs) {
+      request(organs, 0, 6);
+      request(organs, 0, 5);
     });
   });
   ASSERT_EQ(errors.size(), 1U);
@@ -173,9 +173,9 @@ TEST(GrowPlantings, TheirNodesAreLimited) {
 
 TEST(GrowPlantings, AreFoundInTheCacheOfTheExpansionBefore) {
   Cache cache;
-  const auto two = [](Emitter& out) {
-    request(out, 0, 4);
-    request(out, 1, 5);
+  const auto two = [](OrganSink& organs) {
+    request(organs, 0, 4);
+    request(organs, 1, 5);
   };
   const Plant first = grow(garden(), two, &cache);
   EXPECT_EQ(grown, 2);

@@ -77,7 +77,7 @@ std::size_t LinkReader::placed_count() const {
 void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   reader_.check_stop();
   Link link;
-  const std::size_t files_before = reader_.files().size();
+  const std::size_t files_before = reader_.files().named().size();
   if (const Value::List* pair = value.list()) {
     if (pair->size() != 2) {
       return reader_.add_error(path, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
@@ -94,8 +94,9 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   }
   // An expression that uses t gives other sites at another time, and the fingerprint does not contain the time.
   if (!mentions(value, "t")) {
-    link.fingerprint = fingerprint_of(value, reader_.constant_table(), std::span(reader_.files()).subspan(files_before),
-                                      reader_.limits().file_bytes);
+    link.fingerprint =
+        fingerprint_of(value, reader_.expressions().constant_table(),
+                       std::span(reader_.files().named()).subspan(files_before), reader_.limits().file_bytes);
   }
   if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));
 }

@@ -8,7 +8,7 @@
 
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
-#include "meristem/graph/emitter.h"
+#include "meristem/graph/emitted.h"
 #include "meristem/graph/graph.h"
 #include "meristem/plant/plant.h"
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <span>
-#include <type_traits>
 #include <vector>
 
+#include "meristem/graph/component_member.h"
 #include "meristem/graph/table/count.h"
 #include "meristem/graph/table/varying.h"
 
@@ -28,29 +30,32 @@ struct MinimumCounts {
 /// Distinguishes members of a component's parameters that are equal for all instances from members that vary.
 class KnownMembers {
  public:
-  /// `parameters` is the component's struct, `varyings` are the members that differ. Both must outlive this object.
-  KnownMembers(const void* parameters, std::span<const Varying> varyings)
-      : parameters_(parameters), varyings_(varyings) {}
+  /// `varyings` are the members that differ. They must outlive this object.
+  explicit KnownMembers(std::span<const Varying> varyings) : varyings_(varyings) {}
 
-  /// Returns true if the member of the struct, or a part of it, differs from instance to instance.
-  template <class Member>
-  bool varies(const Member& member) const {
-    return find(&member, sizeof(Member)) != nullptr;
+  /// Returns true if the member, or a part of it, differs from instance to instance.
+  template <class M>
+  bool varies(const ComponentMember<M>& member) const {
+    return find(member) != nullptr;
   }
   /// Returns the minimum number of parts of a count, or 0 if unknown.
-  double minimum(const PartCount& count) const { return minimum(find(&count, sizeof(PartCount)), count.value); }
+  double minimum(const ComponentMember<PartCount>& count) const { return minimum_of(find(count), count.value().value); }
   /// Returns the minimum of a whole number, or 0 if unknown.
-  template <class Whole>
-  double minimum(const Whole& number) const {
-    static_assert(std::is_integral_v<Whole>);
-    return minimum(find(&number, sizeof(Whole)), static_cast<double>(number));
+  template <std::integral Whole>
+  double minimum(const ComponentMember<Whole>& number) const {
+    return minimum_of(find(number), static_cast<double>(number.value()));
   }
 
  private:
-  static double minimum(const Varying* varying, double plain);
-  const Varying* find(const void* member, std::size_t size) const;
+  static double minimum_of(const Varying* varying, double plain);
+  /// Returns the first number that varies within the member, or null.
+  template <class M>
+  const Varying* find(const ComponentMember<M>& member) const {
+    const auto is_inside = [&](const Varying& varying) { return member.contains(varying.offset_in_struct()); };
+    const auto found = std::ranges::find_if(varyings_, is_inside);
+    return found == varyings_.end() ? nullptr : &*found;
+  }
 
-  const void* parameters_;
   std::span<const Varying> varyings_;
 };
 

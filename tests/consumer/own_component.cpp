@@ -23,19 +23,19 @@ struct Thorn : meristem::ComponentBase {
 };
 
 /// Expands one instance in its own frame; y points along the thorn.
-void expand(const Thorn& thorn, const meristem::Site&, meristem::Emitter& out) {
+void expand(const Thorn& thorn, const meristem::Site&, meristem::OrganSink& organs, meristem::SiteSink& sites) {
   // Thorns of equal slimness share a mesh; each scales it to its length.
   const double slimness = thorn.radius / thorn.length;
   meristem::Frame stretched;
   stretched.axes *= static_cast<float>(thorn.length);
-  out.organ(stretched, meristem::shape_key({slimness}), [&] { return meristem::make_cone(slimness, 1, 8); });
-  out.no_children();  // except the children of the ring below
+  organs.add(stretched, meristem::shape_key({slimness}), [&] { return meristem::make_cone(slimness, 1, 8); });
+  sites.no_children();  // except the children of the ring below
   for (int k = 0; k < thorn.number; ++k) {
     meristem::Frame child;
     child.axes = meristem::rotation({0, 1, 0}, 2 * meristem::kPi * k / thorn.number) *
                  meristem::rotation({1, 0, 0}, thorn.opening);
     child.origin.y = static_cast<float>(0.9 * thorn.length);
-    out.child_site(child, static_cast<float>(thorn.length));
+    sites.add(child, static_cast<float>(thorn.length));
   }
 }
 

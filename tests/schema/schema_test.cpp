@@ -211,7 +211,7 @@ TEST(Schema, AListOfKindsTakesEachKindWithItsOwnRowsAlone) {
       {.traits = {.name = "hedge", .doc = "A hedge."},
        .parameters = Table<Hedge>("a hedge", "A hedge.")
                          .list_of_kinds("work", &Hedge::work, +work_kinds, +work_table, "What is done to it."),
-       .expand = [](const Hedge&, const Site&, Emitter&) {}})});
+       .expand = [](const Hedge&, const Site&) {}})});
   const DocumentSchema own(parse(write_json(document_schema(registry))));
   const auto accepts = [&](const std::string& work) {
     return own.accepts(parse(R"({"meristem": 1, "components": {"a": {"type": "hedge", "work": [)" + work + "]}}}"));

@@ -24,15 +24,15 @@ ComponentType stick() {
                         .number("width", &Stick::width, {.unit = Unit::metre, .min = 0, .max = 10}, "Width.")
                         .integer("sides", &Stick::sides, {.min = 3, .max = 8}, "Without effect on the shape."),
       .expand =
-          [](const Stick& stick, const Site&, Emitter& out) {
+          [](const Stick& stick, const Site&, OrganSink& organs, SiteSink& sites) {
             const auto length = static_cast<float>(stick.length);
-            out.organ(Frame{}, shape_key({stick.length, stick.width, static_cast<double>(stick.sides)}), [&] {
+            organs.add(Frame{}, shape_key({stick.length, stick.width, static_cast<double>(stick.sides)}), [&] {
               return Mesh{.positions = {{0, 0, 0}, {stick.width, 0, 0}, {0, length, 0}},
                           .normals = {},
                           .uvs = {},
                           .triangles = {{0, 1, 2}}};
             });
-            out.child_site(Frame{.axes = Mat3(1), .origin = {0, length, 0}}, length, stick.width);
+            sites.add(Frame{.axes = Mat3(1), .origin = {0, length, 0}}, length, stick.width);
           },
   });
 }
@@ -49,10 +49,10 @@ ComponentType star() {
                         .integer("number", &Star::number, {.min = 0, .max = 2e9}, "Children.")
                         .number("step", &Star::step, {.unit = Unit::metre, .min = 0, .max = 10}, "Between children."),
       .expand =
-          [](const Star& star, const Site&, Emitter& out) {
-            out.no_children();
+          [](const Star& star, const Site&, SiteSink& sites) {
+            sites.no_children();
             for (int k = 0; k < star.number; ++k) {
-              out.child_site(Frame{.axes = Mat3(1), .origin = {static_cast<float>(k * star.step), 0, 0}});
+              sites.add(Frame{.axes = Mat3(1), .origin = {static_cast<float>(k * star.step), 0, 0}});
             }
           },
   });
@@ -71,12 +71,13 @@ ComponentType ribs() {
       .parameters =
           Table<Ribs>("ribs", "Multiplies.").integer("number", &Ribs::number, {.min = 0, .max = 100}, "Ribs."),
       .expand =
-          [](const Ribs& ribs, const Site&, Emitter& out) {
+          [](const Ribs& ribs, const Site&, SiteSink& sites) {
             for (int k = 0; k < ribs.number; ++k) {
               const auto y = static_cast<float>(k);
-              out.branch_site(Frame{.axes = Mat3(1), .origin = {0, y, 0}}, y / static_cast<float>(ribs.number), 1, 0);
+              sites.add_for_branches(Frame{.axes = Mat3(1), .origin = {0, y, 0}}, y / static_cast<float>(ribs.number),
+                                     1, 0);
             }
-            out.child_site(Frame{.axes = Mat3(1), .origin = {0, static_cast<float>(ribs.number), 0}});
+            sites.add(Frame{.axes = Mat3(1), .origin = {0, static_cast<float>(ribs.number), 0}});
           },
   });
 }
@@ -94,7 +95,7 @@ ComponentType pole() {
               .number("height", &Pole::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Height of the tip.")
               .integer("nodes", &Pole::nodes, {.min = 1, .max = 1000}, "Along it."),
       .expand =
-          [](const Pole& pole, const Site& site, Emitter& out) {
+          [](const Pole& pole, const Site& site, StemSink& stems) {
             Skeleton skeleton;
             for (int k = 0; k < pole.nodes; ++k) {
               const auto y = static_cast<float>(pole.height * k / std::max(1, pole.nodes - 1));
@@ -102,7 +103,7 @@ ComponentType pole() {
                                 static_cast<float>(k));
               skeleton.radius.back() = 0.01F;
             }
-            out.stem(std::move(skeleton), SurfaceOptions{});
+            stems.add(std::move(skeleton), SurfaceOptions{});
           },
   });
 }
@@ -183,7 +184,7 @@ ComponentType sprout() {
           Table<Sprout>("a sprout", "Grows a stem.")
               .number("height", &Sprout::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Height if it is alone.")
               .boolean("watches", &Sprout::watches, "True: shows the growth of another component."),
-      .expand = [](const Sprout&, const Site&, Emitter& out) { out.stem(out.take_grown(), SurfaceOptions{}); },
+      .expand = [](const Sprout&, const Site&, StemSink& stems) { stems.add(stems.take_grown(), SurfaceOptions{}); },
       .grow = [](const Sprout& sprout, const Site&, const GrowContext& context) -> std::unique_ptr<Grower> {
         return std::make_unique<SproutGrower>(sprout.height, context);
       },
@@ -202,7 +203,7 @@ ComponentType timer() {
       .parameters = Table<Timer>("a timer", "Begins a clock.")
                         .number("delay", &Timer::delay, {.unit = Unit::second, .min = 0, .max = 100}, "Until it runs.")
                         .number("speed", &Timer::speed, {.min = 0.1, .max = 10}, "Relative to the clock above."),
-      .expand = [](const Timer& timer, const Site&, Emitter& out) { out.begin_clock(timer.delay, timer.speed); },
+      .expand = [](const Timer& timer, const Site&, SiteSink& sites) { sites.begin_clock(timer.delay, timer.speed); },
   });
 }
 
@@ -216,10 +217,10 @@ ComponentType space() {
       .parameters = Table<Space>("a space", "Says which way gravity pulls.")
                         .vector("down", &Space::down, {.min = -1, .max = 1}, "Unset: as in the scene."),
       .expand =
-          [](const Space& space, const Site&, Emitter& out) {
-            Surroundings said = out.surroundings();
+          [](const Space& space, const Site&, const InstanceContext& instance, SiteSink& sites) {
+            Surroundings said = instance.surroundings();
             said.directions = space.down ? std::make_shared<const Directions>(kUp, *space.down) : nullptr;
-            out.surround(std::move(said));
+            sites.surround(std::move(said));
           },
   });
 }
@@ -233,7 +234,7 @@ const Registry& test_components() {
       define_component<Root>({
           .traits = {.name = "camera", .doc = "The root.", .is_camera = true},
           .parameters = Table<Root>("a camera", "The root."),
-          .expand = [](const Root&, const Site&, Emitter&) {},
+          .expand = [](const Root&, const Site&) {},
       }),
       stick(),
       star(),

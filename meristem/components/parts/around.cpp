@@ -21,11 +21,12 @@ const ParameterTable& around_table() {
   return table;
 }
 
-std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
-  const std::uint32_t number = out.expect_parts(around.number);
-  const std::vector<double> angle = out.per_child(around.angle, number);
-  const std::vector<double> size = out.per_child(around.size, number);
-  const std::vector<double> roll = out.per_child(around.roll, number);
+std::vector<ChildAround> children_around(const ComponentMember<Around>& member, SiteSink& sites) {
+  const Around& around = member.value();
+  const std::uint32_t number = sites.expect_parts(member.part(&Around::number));
+  const std::vector<double> angle = sites.per_child(around.angle, number);
+  const std::vector<double> size = sites.per_child(around.size, number);
+  const std::vector<double> roll = sites.per_child(around.roll, number);
   const bool is_closed = around.arc >= 2 * kPi - 1e-9;
   const double gaps = is_closed ? around.number.value : around.number.value - 1.0;
   // A second child appears beside the first one, and then they move apart evenly.
@@ -40,9 +41,10 @@ std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
   return children;
 }
 
-MinimumCounts minimum_around(const Around& around, const KnownMembers& known) {
-  if (around.size.varying || known.varies(around.size)) return {};  // sizes may be 0
-  return {.children = known.minimum(around.number), .child_scale = around.size.plain};
+MinimumCounts minimum_around(const ComponentMember<Around>& member, const KnownMembers& known) {
+  const PerChild& size = member.value().size;
+  if (size.varying || known.varies(member.part(&Around::size))) return {};  // sizes may be 0
+  return {.children = known.minimum(member.part(&Around::number)), .child_scale = size.plain};
 }
 
 Mat3 tilted(double turn, double angle) { return rotation(kUp, turn) * rotation({1, 0, 0}, -angle); }

@@ -27,10 +27,10 @@ struct ChildAround {
 /// Returns the children. For a fractional count, the last child appears between the others. Children on a full circle
 /// begin at 0. On an arc they are symmetric about 0, with children at both ends. Throws InputError if there are more
 /// than the limit.
-std::vector<ChildAround> children_around(const Around& around, Emitter& out);
+std::vector<ChildAround> children_around(const ComponentMember<Around>& member, SiteSink& sites);
 
 /// Returns the minimum number of children of a component whose children are placed around it.
-MinimumCounts minimum_around(const Around& around, const KnownMembers& known);
+MinimumCounts minimum_around(const ComponentMember<Around>& member, const KnownMembers& known);
 
 /// Returns axes rotated about y by `turn` and tilted away from y by `angle` (radians). The upper face looks to y.
 Mat3 tilted(double turn, double angle);

@@ -65,17 +65,19 @@ FunctionMap map_of(const SpaceFunctions& functions, const Site& site, double tim
                      std::move(values), site.key.child("deformation"));
 }
 
-void deform_below(const Deforming& how, std::shared_ptr<const SpaceMap> map, const Site& site, Emitter& out) {
+void deform_below(const Deforming& how, std::shared_ptr<const SpaceMap> map, const Site& site,
+                  const InstanceContext& instance, SiteSink& sites) {
   if (map == nullptr && !how.off) return;
-  Surroundings said = out.surroundings();
+  Surroundings said = instance.surroundings();
   if (how.off && said.deformation != nullptr) {
-    said.deformation = said.deformation->rigid_at(site.frame.origin, out.component());
+    said.deformation = said.deformation->rigid_at(site.frame.origin, instance.component());
   }
   if (map != nullptr) {
-    const std::vector<Deformation::Level> own{{std::move(map), site.frame, how.on, "components." + out.component()}};
+    const std::vector<Deformation::Level> own{
+        {std::move(map), site.frame, how.on, "components." + instance.component()}};
     said.deformation = Deformation::nested(std::make_shared<const Deformation>(own), said.deformation);
   }
-  out.surround(std::move(said));
+  sites.surround(std::move(said));
 }
 
 }  // namespace meristem

@@ -35,6 +35,7 @@ const ParameterTable& space_functions_table();
 FunctionMap map_of(const SpaceFunctions& functions, const Site& site, double time);
 
 /// Deforms all descendants of the instance by `map`, given in the instance's frame. Null: adds no deformation.
-void deform_below(const Deforming& how, std::shared_ptr<const SpaceMap> map, const Site& site, Emitter& out);
+void deform_below(const Deforming& how, std::shared_ptr<const SpaceMap> map, const Site& site,
+                  const InstanceContext& instance, SiteSink& sites);
 
 }  // namespace meristem

@@ -201,7 +201,7 @@ void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, Parame
   const DocumentPath at_waves(path, "waves");
   const DocumentPath number(at_waves, "number"), polygons(path, "polygons");
   if (!grass.stages.reduce || !grass.stages.blade || grass.error || waves.depth == 0) return;
-  if (reader.is_worked_out(number) || reader.is_worked_out(polygons)) return;
+  if (reader.numbers().is_worked_out(number) || reader.numbers().is_worked_out(polygons)) return;
   if (!(grass.polygons < kPiecesAWave * waves.number)) return;
   reader.warn(polygons,
               fmt::format("{} polygons are too few to show {:.7g} waves, which are left out; {} or more show them",
@@ -213,8 +213,8 @@ void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterRead
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {
     const StockOptions how{.is_loaded = grass.stages.load, .is_fitted = grass.stages.fit, .full_age = grass.full_age};
-    grass.stock =
-        reader.kept<GrassStock>(fingerprint_of(grass.source, how), [&] { return make_stock(grass.source, how); });
+    grass.stock = reader.files().kept<GrassStock>(fingerprint_of(grass.source, how),
+                                                  [&] { return make_stock(grass.source, how); });
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics())
       reader.add_error(DocumentPath(path, row), found.message, found.expected);

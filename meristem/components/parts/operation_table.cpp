@@ -63,12 +63,13 @@ ShootChoice choice_of(const std::string& text, const std::vector<std::string>& n
                       ParameterReader& reader) {
   if (text == "leader") return ShootChoice::leader();
   if (is_shoot_name(text)) return ShootChoice::label(text);
-  const bool is_known = std::ranges::find(names, text) != names.end() || reader.constant_table().names().contains(text);
+  const bool is_known =
+      std::ranges::find(names, text) != names.end() || reader.expressions().constant_table().names().contains(text);
   static const std::vector<std::string> words{"leader", "main"};
   const std::string nearest = is_identifier(text) && !is_known ? reader.nearest(text, words) : "";
   if (text.empty() || text.starts_with("main") || !nearest.empty()) {
     reader.add_error(place, fmt::format("'{}' names no shoot", text), kShootForms, nearest);
-  } else if (auto condition = reader.expression(text, place, names)) {
+  } else if (auto condition = reader.expressions().read(text, place, names)) {
     return {ShootChoice::Kind::condition, text, std::move(*condition)};
   }
   return {};

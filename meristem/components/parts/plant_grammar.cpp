@@ -102,12 +102,14 @@ void note_placed(PlantGrammar& plant, std::string_view text) {
 PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
                                 std::vector<Diagnostic>& warnings) {
   const auto included = [&](const std::string& name) {
-    return reader.included_text(path, name, SizeLimits().document_bytes);
+    return reader.files().included_text(path, name, SizeLimits().document_bytes);
   };
   PlantGrammar plant;
   plant.text = text;
-  plant.grammar = read_grammar(
-      text, {.constants = reader.constants(), .read = included, .warnings = &warnings, .limits = reader.limits()});
+  plant.grammar = read_grammar(text, {.constants = reader.expressions().constants(),
+                                      .read = included,
+                                      .warnings = &warnings,
+                                      .limits = reader.limits()});
   note_placed(plant, text);
   return plant;
 }

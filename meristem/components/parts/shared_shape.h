@@ -9,18 +9,10 @@
 
 #include "meristem/base/math.h"
 #include "meristem/base/vec.h"
-#include "meristem/graph/emitter.h"
 
 namespace meristem {
 
 inline constexpr double kShapeAngleStep = 5 * kPi / 180;
-
-/// Returns true if a member of a component's struct varies between instances.
-template <class Parameters, class Member>
-bool varies(const Emitter& out, const Parameters& parameters, const Member& member) {
-  const auto place = [](const auto& object) { return reinterpret_cast<const std::byte*>(&object); };
-  return out.varies(static_cast<std::size_t>(place(member) - place(parameters)));
-}
 
 inline double to_step(double value, double step) { return std::floor(value / step + 0.5) * step; }
 

@@ -58,8 +58,8 @@ bool read_pair(const PairRows& rows, const Value& value, const DocumentPath& pat
                      "a pair of numbers such as [0.5, 2]");
     return false;
   }
-  const auto x = reader.number(rows.first, (*pair)[0], DocumentPath(path, std::size_t{0}));
-  const auto y = reader.number(rows.second, (*pair)[1], DocumentPath(path, std::size_t{1}));
+  const auto x = reader.numbers().read(rows.first, (*pair)[0], DocumentPath(path, std::size_t{0}));
+  const auto y = reader.numbers().read(rows.second, (*pair)[1], DocumentPath(path, std::size_t{1}));
   if (!x || !y) return false;
   out = Vec2(*x, *y);
   return true;
@@ -154,9 +154,10 @@ Value show_value(const Parameter&, const std::string& member) { return member; }
 
 void read_value(const Parameter& self, PerChild& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  if (!self.form.per_site || !reader.reads_component()) return reader.store_per_child(self, value, path, member);
+  if (!self.form.per_site || !reader.numbers().reads_component())
+    return reader.numbers().store_per_child(self, value, path, member);
   const StoreNumber store = [](void* to, double number) { *static_cast<PerChild*>(to) = PerChild(number); };
-  reader.store_number(self, value, path, {&member, store, to_document(self.form.unit, member.plain)});
+  reader.numbers().store(self, value, path, {&member, store, to_document(self.form.unit, member.plain)});
 }
 
 Value show_value(const Parameter& self, const PerChild& member) { return to_document(self.form.unit, member.plain); }
@@ -164,7 +165,7 @@ Value show_value(const Parameter& self, const PerChild& member) { return to_docu
 void read_value(const Parameter& self, PartCount& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const StoreNumber store = [](void* to, double number) { *static_cast<PartCount*>(to) = PartCount(number); };
-  reader.store_number(self, value, path, {&member, store, member.value});
+  reader.numbers().store(self, value, path, {&member, store, member.value});
 }
 
 Value show_value(const Parameter&, const PartCount& member) { return rounded(member.value); }
@@ -236,7 +237,7 @@ void read_value(const Parameter& self, std::vector<int>& member, const Value& va
   element.kind = ParameterKind::integer;
   std::vector<int> numbers;
   for (std::size_t k = 0; k < list->size(); ++k) {
-    if (const auto number = reader.number(element, (*list)[k], DocumentPath(path, k)))
+    if (const auto number = reader.numbers().read(element, (*list)[k], DocumentPath(path, k)))
       numbers.push_back(static_cast<int>(*number));
   }
   if (numbers.size() == self.count) member = std::move(numbers);
@@ -330,12 +331,12 @@ void read_value(const Parameter& self, InstanceSelection& member, const Value& v
   number_row.kind = ParameterKind::integer;
   number_row.form = {.min = 0, .max = 4294967295.0, .fixed = true};
   InstanceSelection selection;
-  selection.names = reader.instance_names().size();
+  selection.names = reader.expressions().instance_names().size();
   for (std::size_t k = 0; k < list->size(); ++k) {
     const Value& entry = (*list)[k];
     const DocumentPath entry_place(path, k);
     if (entry.text() != nullptr) {
-      if (auto compiled = reader.expression(entry, entry_place, reader.instance_names())) {
+      if (auto compiled = reader.expressions().read(entry, entry_place, reader.expressions().instance_names())) {
         selection.conditions.push_back({*entry.text(), std::move(*compiled)});
       }
       continue;
@@ -346,10 +347,12 @@ void read_value(const Parameter& self, InstanceSelection& member, const Value& v
                        self.expectation());
       continue;
     }
-    const auto low = ends == nullptr ? reader.number(number_row, entry, entry_place)
-                                     : reader.number(number_row, (*ends)[0], DocumentPath(entry_place, std::size_t{0}));
-    const auto high =
-        ends == nullptr ? low : reader.number(number_row, (*ends)[1], DocumentPath(entry_place, std::size_t{1}));
+    const auto low = ends == nullptr
+                         ? reader.numbers().read(number_row, entry, entry_place)
+                         : reader.numbers().read(number_row, (*ends)[0], DocumentPath(entry_place, std::size_t{0}));
+    const auto high = ends == nullptr
+                          ? low
+                          : reader.numbers().read(number_row, (*ends)[1], DocumentPath(entry_place, std::size_t{1}));
     if (!low || !high) continue;
     if (*low > *high) {
       reader.add_error(entry_place, fmt::format("the range from {:.12g} to {:.12g} is in the wrong order", *low, *high),
@@ -376,7 +379,7 @@ void read_value(const Parameter& self, ParameterFormula& member, const Value& va
   const bool is_number = self.kind == ParameterKind::formula && value.number() != nullptr;
   const Value text = is_number ? Value(fmt::format("{}", *value.number())) : value;
   if (text.text() == nullptr) return reader.wrong_kind(self, text, path);
-  if (auto compiled = reader.expression(text, path, self.names)) member = {*text.text(), std::move(*compiled)};
+  if (auto compiled = reader.expressions().read(text, path, self.names)) member = {*text.text(), std::move(*compiled)};
 }
 
 Value show_value(const Parameter&, const ParameterFormula& member) { return member.text; }

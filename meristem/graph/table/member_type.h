@@ -96,7 +96,7 @@ requires std::is_arithmetic_v<ValueOf<M>>
 void read_value(const Parameter& row, M& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value present = show_value(row, member);
-  reader.store_number(row, value, path, {&member, store_in<M>, present.is_null() ? 0 : *present.number()});
+  reader.numbers().store(row, value, path, {&member, store_in<M>, present.is_null() ? 0 : *present.number()});
 }
 
 template <class N>
@@ -130,9 +130,9 @@ template <class T>
 void read_value(const Parameter& row, Asset<T>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   if (row.load_file != nullptr) {
-    return reader.file(row, value, path, [&](const std::string& file_path) {
+    return reader.files().read(row, value, path, [&](const std::string& file_path) {
       const auto load = reinterpret_cast<LoadAsset<T>>(row.load_file);
-      member = {*value.text(), reader.kept_file<T>(file_path, load)};
+      member = {*value.text(), reader.files().kept_file<T>(file_path, load)};
     });
   }
   const auto make = [&](const std::string& text, const std::string& file_path, std::vector<Diagnostic>& warnings) {
@@ -140,8 +140,8 @@ void read_value(const Parameter& row, Asset<T>& member, const Value& value, cons
     const std::string& written = row.kind == ParameterKind::lines ? text : *value.text();
     member = {written, reader.kept_text<T>(text, file_path, warnings, read)};
   };
-  if (row.kind == ParameterKind::lines) return reader.lines(row, value, path, make);
-  reader.text_file(row, value, path, make);
+  if (row.kind == ParameterKind::lines) return reader.files().read_lines(row, value, path, make);
+  reader.files().read_text_file(row, value, path, make);
 }
 template <class T>
 Value show_value(const Parameter&, const Asset<T>& member) {

@@ -13,7 +13,7 @@
 
 #include "meristem/base/read_columns.h"
 #include "meristem/base/read_file.h"
-#include "meristem/graph/table/reader.h"
+#include "meristem/graph/table/number_reader.h"
 
 namespace meristem {
 
@@ -40,26 +40,27 @@ void check_rows(const Parameter& row, std::string_view text, const Columns& colu
 }
 
 std::vector<double> values_of_file(const Parameter& row, const Value& said, const DocumentPath& path,
-                                   ParameterReader& reader) {
+                                   const SampleReaders& readers) {
   const Value* file = said.find("file");
   const Value* column = said.find("column");
   for (const auto& [name, member] : *said.object()) {
     if (name == "file" || name == "column") continue;
-    reader.error_name(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
-                      "file and column", reader.nearest(name, std::vector<std::string>{"file", "column"}));
+    readers.errors.error_name(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
+                              "file and column",
+                              readers.errors.nearest(name, std::vector<std::string>{"file", "column"}));
   }
   if (file == nullptr || column == nullptr || column->text() == nullptr) {
-    reader.add_error(path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"),
-                     kForms);
+    readers.errors.add_error(
+        path, fmt::format("the sample of '{}' has no {}", row.name, file == nullptr ? "file" : "column"), kForms);
     return {};
   }
   Parameter file_row;
   file_row.name = "file";
   file_row.kind = ParameterKind::file;
   std::vector<double> values;
-  reader.file(file_row, *file, DocumentPath(path, "file"), [&](const std::string& file_path) {
-    const std::shared_ptr<const std::string> text = reader.kept_file<std::string>(file_path, read_text);
-    Columns columns = read_columns(*text, {{*column->text()}}, reader.limits());
+  readers.files.read(file_row, *file, DocumentPath(path, "file"), [&](const std::string& file_path) {
+    const std::shared_ptr<const std::string> text = readers.files.kept_file<std::string>(file_path, read_text);
+    Columns columns = read_columns(*text, {{*column->text()}}, readers.errors.limits());
     check_rows(row, *text, columns, *column->text());
     values = std::move(columns.numbers[0]);
   });
@@ -67,14 +68,14 @@ std::vector<double> values_of_file(const Parameter& row, const Value& said, cons
 }
 
 std::vector<double> values_of_list(const Parameter& row, const Value::List& list, const DocumentPath& path,
-                                   ParameterReader& reader) {
+                                   const SampleReaders& readers) {
   std::vector<double> values;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const std::optional<double> value = reader.number(row, list[k], DocumentPath(path, k));
+    const std::optional<double> value = readers.numbers.read(row, list[k], DocumentPath(path, k));
     if (value) values.push_back(*value);
   }
   if (list.empty()) {
-    reader.add_error(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
+    readers.errors.add_error(path, fmt::format("the sample of '{}' has no values", row.name), "at least one number");
   }
   return values;
 }
@@ -94,27 +95,27 @@ double Sample::quantile(double share) const {
 }
 
 std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& object, const DocumentPath& path,
-                                          ParameterReader& reader) {
-  const std::size_t errors_before = reader.error_count();
+                                          const SampleReaders& readers) {
+  const std::size_t errors_before = readers.errors.error_count();
   const DocumentPath place(path, "sample");
   const Value& said = *object.find("sample");
   auto sample = std::make_shared<Sample>();
   if (said.list() != nullptr) {
-    sample->values = values_of_list(row, *said.list(), place, reader);
+    sample->values = values_of_list(row, *said.list(), place, readers);
   } else if (said.object() != nullptr) {
-    sample->values = values_of_file(row, said, place, reader);
+    sample->values = values_of_file(row, said, place, readers);
   } else {
-    reader.add_error(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
+    readers.errors.add_error(place, fmt::format("the sample of '{}' is {}", row.name, said.description()), kForms);
   }
   if (const Value* smooth = object.find("smooth")) {
     if (smooth->boolean() == nullptr) {
-      reader.add_error(DocumentPath(path, "smooth"), fmt::format("'smooth' cannot be {}", smooth->description()),
-                       "true or false");
+      readers.errors.add_error(DocumentPath(path, "smooth"),
+                               fmt::format("'smooth' cannot be {}", smooth->description()), "true or false");
     } else {
       sample->is_smooth = *smooth->boolean();
     }
   }
-  if (reader.error_count() != errors_before || sample->values.empty()) return nullptr;
+  if (readers.errors.error_count() != errors_before || sample->values.empty()) return nullptr;
   std::sort(sample->values.begin(), sample->values.end());
   return sample;
 }

@@ -12,6 +12,9 @@
 namespace meristem {
 
 class DocumentPath;
+class FileReader;
+class NumberReader;
+class ReadErrors;
 
 /// The sorted values of a sample, in document units.
 struct Sample {
@@ -23,10 +26,17 @@ struct Sample {
   double quantile(double share) const;
 };
 
+/// The readers that a sample needs.
+struct SampleReaders {
+  NumberReader& numbers;  ///< for a list of numbers
+  FileReader& files;      ///< for a column of a file
+  ReadErrors& errors;     ///< for everything else that is wrong
+};
+
 /// Reads the sample of a number from the object that contains it and its `smooth`. Reports values out of the row's
 /// range, fractions for whole numbers, missing files and columns, and texts instead of numbers, each at its path.
-/// Returns null after a fault.
+/// Returns null after an error.
 std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& object, const DocumentPath& path,
-                                          ParameterReader& reader);
+                                          const SampleReaders& readers);
 
 }  // namespace meristem

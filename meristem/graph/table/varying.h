@@ -56,6 +56,9 @@ struct Varying {
   std::vector<Element> way;  ///< steps from the struct to the element that holds the member; empty: the struct holds it
   std::size_t offset = 0;    ///< offset of the member in its struct or element, bytes
   StoreNumber store = nullptr;  ///< writes the number to the member
+
+  /// Returns the offset in the struct of the member, or of the list or map whose element holds the member, bytes.
+  std::size_t offset_in_struct() const { return way.empty() ? offset : way.front().offset; }
 };
 
 /// A number that may differ among the children of one instance.

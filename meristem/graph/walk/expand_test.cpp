@@ -348,9 +348,9 @@ TEST(Expand, AHundredThousandInstancesAreExpandedOnceEachAndShareGeometry) {
       .traits = {.name = "counted", .doc = "Counts."},
       .parameters = Table<Counted>("a counted", "Counts."),
       .expand =
-          [](const Counted&, const Site& site, Emitter& out) {
+          [](const Counted&, const Site& site, OrganSink& organs) {
             ++expanded;
-            out.organ(Frame{}, site.i % 5, [] {
+            organs.add(Frame{}, site.i % 5, [] {
               ++made;
               return Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}};
             });

@@ -82,6 +82,13 @@ Rewriter::Rewriter(const Grammar& grammar, const SizeLimits& limits, Progress& p
 
 Rewriter::~Rewriter() = default;
 
+/// Rewrites in two passes over chunks of kChunk modules, each on all threads. The first pass chooses a rule for each
+/// module. The rule determines how many modules and parameters replace the module, so sums over the chunks give the
+/// length of the new word and the position at which each chunk of it begins. The second pass writes all chunks at the
+/// same time. Expressions of successors are evaluated last, together for all modules of a chunk that one rule replaces.
+///
+/// A rule is chosen by the old word and by random numbers of the module's position only. Threads and the order of
+/// chunks therefore do not change the result.
 RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage,
                                  Word& next, Births births) {
   progress_.begin(stage, word.module_count());

@@ -25,6 +25,10 @@ void for_each_batch(std::span<const std::uint32_t> all, Body body) {
 
 }  // namespace
 
+/// Chooses in two steps. First, each module gets the choice that its letter alone decides: a rule, or to be copied. A
+/// module whose rules have contexts, conditions, weights or lives becomes a candidate of its letter. Then the rules of
+/// each letter are tested in their order, each on all remaining candidates. The first rule without a weight that
+/// matches a candidate decides it. One of the matching rules with weights is drawn. A candidate that no rule matches is copied.
 bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities,
                          std::size_t begin, std::size_t end, std::span<RuleChoice> choices,
                          const std::optional<LifeSpan>& lives, const Progress& progress) {
@@ -32,6 +36,8 @@ bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<
   letters_.clear();
   candidates_.resize(plan.by_letter.size());
   const LetterIndex* const letters = old.word.letters.data();
+
+  // Let the letters decide, and collect the candidates.
   if (plan.is_decided) {
     for (std::size_t k = begin; k < end; ++k) choices[k] = plan.by_letter[letters[k]];
     return false;
@@ -48,10 +54,13 @@ bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<
     }
     in += arities[letter];
   }
+
+  // Test the rules of each letter on its candidates.
   for (const LetterIndex letter : letters_) decide(plan, old, letter, choices, lives, progress);
   return !letters_.empty();
 }
 
+/// Tests the rules of one letter in their order, until no candidate is left.
 void RuleChooser::decide(const RewritePlan& plan, const OldWord& old, LetterIndex letter, std::span<RuleChoice> choices,
                          const std::optional<LifeSpan>& lives, const Progress& progress) {
   std::vector<Candidate>& candidates = candidates_[letter];

@@ -165,15 +165,82 @@ bool ShadowGrid::reaches(Vec3 position) const {
 }
 
 /// Shaders with their amounts of shade in each layer, grouped by brick.
+/// Shaders that are cast together: one per voxel, grouped by brick, and the slabs on which each group casts shade.
 struct ShadowGrid::Together {
-  std::vector<Voxel> voxels;
+  std::vector<Voxel> voxels;           // one per shader, by brick
   std::vector<std::uint64_t> amounts;  // by shader and layer
   std::vector<Group> groups;
   std::array<std::vector<Fall>, kSlabs> falls;  // work of each slab
   std::size_t layers;
 
+  Together(const ShadowGrid& grid, std::span<const ShadeSource> shaders);
+
   const std::uint64_t* amounts_of(std::size_t shader) const { return amounts.data() + shader * layers; }
+
+ private:
+  /// A shader with its sort keys.
+  struct Placed {
+    std::uint64_t key;  // of its brick; distant bricks may have equal keys
+    std::uint32_t voxel;
+    std::uint32_t shader;
+  };
+
+  static Placed placed(const Voxel& voxel, std::size_t shader);
+  void add_voxel(const Voxel& voxel);
 };
+
+ShadowGrid::Together::Placed ShadowGrid::Together::placed(const Voxel& voxel, std::size_t shader) {
+  const auto part = [&](int axis) { return static_cast<std::uint64_t>(voxel[axis] >> kBits) & kPartOfKey; };
+  return {part(0) | part(1) << kKeyBits | part(2) << 2 * kKeyBits,
+          static_cast<std::uint32_t>(index_in_brick(voxel[0], voxel[1], voxel[2])), static_cast<std::uint32_t>(shader)};
+}
+
+/// Adds a voxel without shade to the group of its brick. A brick gets a second group if its shaders alternate with
+/// those of a distant brick with an equal key.
+void ShadowGrid::Together::add_voxel(const Voxel& voxel) {
+  const BrickCell brick = brick_of(voxel);
+  const auto index = static_cast<std::uint32_t>(voxels.size());
+  if (groups.empty() || !is_same(groups.back().brick, brick)) groups.push_back({brick, index, 0});
+  groups.back().end = index + 1;
+  voxels.push_back(voxel);
+  amounts.resize(amounts.size() + layers, 0);
+}
+
+ShadowGrid::Together::Together(const ShadowGrid& grid, std::span<const ShadeSource> shaders)
+    : layers(grid.layers_.size()) {
+  // Sort the shaders by brick and voxel.
+  std::vector<Placed> order(shaders.size());
+  std::vector<Voxel> voxel_of(shaders.size());
+  for (std::size_t k = 0; k < shaders.size(); ++k) {
+    require(std::abs(shaders[k].weight) * grid.form_.amount <= kMaxShade, "the weight of a shader is out of range");
+    voxel_of[k] = grid.voxel_at(shaders[k].position);
+    order[k] = placed(voxel_of[k], k);
+  }
+  std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
+    if (a.key != b.key) return a.key < b.key;
+    return a.voxel != b.voxel ? a.voxel < b.voxel : a.shader < b.shader;
+  });
+
+  // Add up the shaders of each voxel.
+  voxels.reserve(order.size());
+  amounts.reserve(order.size() * layers);
+  for (const Placed& placed : order) {
+    const Voxel& voxel = voxel_of[placed.shader];
+    if (voxels.empty() || voxels.back() != voxel) add_voxel(voxel);
+    std::uint64_t* const own = amounts.data() + amounts.size() - layers;
+    for (std::size_t q = 0; q < layers; ++q) {
+      own[q] += static_cast<std::uint64_t>(rounded(shaders[placed.shader].weight * grid.layers_[q].shade * kFullShade));
+    }
+  }
+
+  // A group casts shade on the bricks around it, at several heights.
+  for (std::uint32_t k = 0; k < groups.size(); ++k) {
+    for (int z = grid.bounds_.low[2] >> kBits; z <= (kSide - 1 + grid.bounds_.high[2]) >> kBits; ++z) {
+      const BrickCell above{0, 0, groups[k].brick[2] + z};
+      falls[static_cast<std::size_t>(slab_of(above))].push_back({k, z});
+    }
+  }
+}
 
 /// Casts the shade that falls on the bricks of one slab. The shaders of a group reach the same neighbouring bricks, so
 /// each of these bricks is looked up once per group.
@@ -287,60 +354,13 @@ void ShadowGrid::cast(std::span<const ShadeSource> shaders, const Progress& prog
   }
 }
 
+/// Casts the shade of all shaders on the grid. Slabs are the bricks of one height; their threads change no brick of
+/// another slab. Shade is counted in whole numbers, so the order of the shaders does not change the result. Throws
+/// TooMuchMemory if more than `max_bricks` bricks would exist.
 void ShadowGrid::cast_together(std::span<const ShadeSource> shaders, const Progress& progress,
                                std::uint64_t max_bricks) {
   progress.check();
-  // Sort the shaders by brick and voxel. Distant bricks may have equal keys; their shaders then form alternating
-  // groups.
-  struct Placed {
-    std::uint64_t key;
-    std::uint32_t voxel;
-    std::uint32_t shader;
-  };
-  std::vector<Placed> order(shaders.size());
-  std::vector<Voxel> voxels(shaders.size());
-  for (std::size_t k = 0; k < shaders.size(); ++k) {
-    require(std::abs(shaders[k].weight) * form_.amount <= kMaxShade, "the weight of a shader is out of range");
-    const Voxel voxel = voxel_at(shaders[k].position);
-    const auto part = [&](int axis) { return static_cast<std::uint64_t>(voxel[axis] >> kBits) & kPartOfKey; };
-    order[k] = {part(0) | part(1) << kKeyBits | part(2) << 2 * kKeyBits,
-                static_cast<std::uint32_t>(index_in_brick(voxel[0], voxel[1], voxel[2])),
-                static_cast<std::uint32_t>(k)};
-    voxels[k] = voxel;
-  }
-  std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
-    if (a.key != b.key) return a.key < b.key;
-    return a.voxel != b.voxel ? a.voxel < b.voxel : a.shader < b.shader;
-  });
-
-  // Merge the shaders of one voxel.
-  Together together;
-  together.layers = layers_.size();
-  together.voxels.reserve(order.size());
-  together.amounts.reserve(order.size() * layers_.size());
-  for (const Placed& placed : order) {
-    const Voxel& voxel = voxels[placed.shader];
-    if (together.voxels.empty() || together.voxels.back() != voxel) {
-      const BrickCell brick = brick_of(voxel);
-      const auto index = static_cast<std::uint32_t>(together.voxels.size());
-      if (together.groups.empty() || !is_same(together.groups.back().brick, brick))
-        together.groups.push_back({brick, index, 0});
-      together.groups.back().end = index + 1;
-      together.voxels.push_back(voxel);
-      together.amounts.resize(together.amounts.size() + layers_.size(), 0);
-    }
-    std::uint64_t* const amounts = together.amounts.data() + together.amounts.size() - layers_.size();
-    for (std::size_t q = 0; q < layers_.size(); ++q) {
-      amounts[q] += static_cast<std::uint64_t>(rounded(shaders[placed.shader].weight * layers_[q].shade * kFullShade));
-    }
-  }
-  for (std::uint32_t k = 0; k < together.groups.size(); ++k) {
-    for (int z = bounds_.low[2] >> kBits; z <= (kSide - 1 + bounds_.high[2]) >> kBits; ++z) {
-      const BrickCell above{0, 0, together.groups[k].brick[2] + z};
-      together.falls[static_cast<std::size_t>(slab_of(above))].push_back({k, z});
-    }
-  }
-
+  const Together together(*this, shaders);
   const std::uint64_t before = brick_count();
   const std::uint64_t max_made = max_bricks > before ? max_bricks - before : 0;
   std::atomic<std::uint64_t> made{0};

@@ -113,31 +113,36 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
   return now;
 }
 
-// Tissue is identified by the time of its emergence: its distance from the tip in the plain leaf, which is `visible` at
-// that moment. Each step of a life records how long and wide the tissue has become. Pieces of the plain leaf keep their
-// angles.
-GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
-                double full_age) {
-  if (!(step > 0) || !(time / step <= kMaxLifeSteps)) {
-    throw std::invalid_argument("the steps of a leaf's life must be above 0, and at most 100,000 in number");
-  }
-  struct Tissue {
-    double from_tip;  // in lengths of the plain leaf
-    double length;    // grown length from this position to the tip
-    double width;
-  };
-  std::vector<Tissue> tissue{{0, 0, 1}};
-  double age = 0;
-  std::vector<double> plain = family.angles(age), angles = plain;
+namespace {
 
-  // Live step by step.
+/// A position of the leaf, named by the time at which its tissue emerged from the sheath: its distance from the tip in
+/// the plain leaf, whose visible share is equal to it at that time.
+struct Tissue {
+  double from_tip;  // in lengths of the plain leaf
+  double length;    // grown length from this position to the tip
+  double width;     // factor on the width of the plain leaf
+};
+
+/// The tissue that a life has made, and how its pieces are bent.
+struct Life {
+  std::vector<Tissue> tissue;  // from the tip to the base, at least the tip
+  std::vector<double> angles;  // of the whole plain leaf, by piece
+};
+
+/// Lives in steps with individual rates. In each step the pieces turn, and the tissue that emerges gets its length and
+/// width.
+Life live(const MidribFamily& family, double time, double step, RatesOf rates, double full_age) {
+  std::vector<double> plain = family.angles(0);
+  Life life{.tissue = {{0, 0, 1}}, .angles = plain};
+  std::vector<Tissue>& tissue = life.tissue;
+  double age = 0;
   const auto steps = static_cast<int>(std::ceil(time / step - 1e-9));
   for (int k = 0; k < steps; ++k) {
     const double begin = k * step, end = std::min(time, begin + step);
     const GrowthRates now = rates(begin, tissue.back().from_tip);
     age += (end - begin) * std::max(0.0, now.age);
     const std::vector<double> next = family.angles(age);
-    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] += now.bend * (next[i] - plain[i]);
+    for (std::size_t i = 0; i < plain.size(); ++i) life.angles[i] += now.bend * (next[i] - plain[i]);
     plain = next;
     const double more = visible_share(age, full_age) - tissue.back().from_tip;
     if (tissue.size() == 1) tissue.front().width = std::max(0.0, now.width);
@@ -146,37 +151,65 @@ GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, 
                         std::max(0.0, now.width)});
     }
   }
-  const double visible = tissue.back().from_tip, grown = tissue.back().length;
-  if (visible < kMinShare || grown < kMinShare) return unseen(leaf);
+  return life;
+}
 
-  // Lay out the emerged tissue from the base to the tip.
-  const std::size_t pieces = family.piece_count();
-  GrassLeaf now{.length = grown * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
-  std::vector<double> laid;
-  std::size_t at = tissue.size() - 1;
-  const auto plain_place = [&](double place, double& width) {
-    const double to_tip = (1 - place) * grown;
-    while (at > 1 && tissue[at - 1].length >= to_tip) --at;
-    const Tissue& old = tissue[at - 1];
-    const Tissue& young = tissue[at];
+/// Finds the tissue at positions of the grown leaf, which must come in order from the base to the tip.
+class TissueFinder {
+ public:
+  explicit TissueFinder(const std::vector<Tissue>& tissue) : tissue_(tissue), young_(tissue.size() - 1) {}
+
+  /// Returns the tissue at `place`, from 0 at the base to 1 at the tip. It is interpolated between two steps of the
+  /// life.
+  Tissue at(double place) {
+    const double to_tip = (1 - place) * tissue_.back().length;
+    while (young_ > 1 && tissue_[young_ - 1].length >= to_tip) --young_;
+    const Tissue& old = tissue_[young_ - 1];
+    const Tissue& young = tissue_[young_];
     const double made = young.length - old.length;
     const double share = made > 0 ? std::clamp((to_tip - old.length) / made, 0.0, 1.0) : 1;
-    width = old.width + share * (young.width - old.width);
-    return visible - (old.from_tip + share * (young.from_tip - old.from_tip));
-  };
+    return {.from_tip = old.from_tip + share * (young.from_tip - old.from_tip),
+            .length = to_tip,
+            .width = old.width + share * (young.width - old.width)};
+  }
+
+ private:
+  const std::vector<Tissue>& tissue_;
+  std::size_t young_;  // index of the younger end of the step at the last position
+};
+
+}  // namespace
+
+GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
+                double full_age) {
+  if (!(step > 0) || !(time / step <= kMaxLifeSteps)) {
+    throw std::invalid_argument("the steps of a leaf's life must be above 0, and at most 100,000 in number");
+  }
+  const Life life = live(family, time, step, rates, full_age);
+  const double visible = life.tissue.back().from_tip, grown = life.tissue.back().length;
+  if (visible < kMinShare || grown < kMinShare) return unseen(leaf);
+
+  // Lay out the emerged tissue in even pieces. A position of the grown leaf has the form of the plain leaf at the
+  // position of its tissue there.
+  const std::size_t pieces = family.piece_count();
+  GrassLeaf now{.length = grown * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
+  std::vector<double> angles;
+  TissueFinder finder(life.tissue);
   double widest = 0;
   for (std::size_t k = 0; k <= pieces; ++k) {
     const double place = k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces);
-    double width = 1;
-    const double from_base = plain_place(place, width);
+    const Tissue here = finder.at(place);
+    const double from_base = visible - here.from_tip;
     now.s.push_back(place);
-    now.r.push_back(width * along_leaf(leaf, leaf.r, std::clamp(from_base + 1 - visible, 0.0, 1.0)));
+    now.r.push_back(here.width * along_leaf(leaf, leaf.r, std::clamp(from_base + 1 - visible, 0.0, 1.0)));
     widest = std::max(widest, now.r.back());
     if (k == pieces) break;
-    laid.push_back(
-        at_middles(angles, plain_place((static_cast<double>(k) + 0.5) / static_cast<double>(pieces), width)));
+    const Tissue middle = finder.at((static_cast<double>(k) + 0.5) / static_cast<double>(pieces));
+    angles.push_back(at_middles(life.angles, visible - middle.from_tip));
   }
-  lay_even_pieces(now, laid);
+  lay_even_pieces(now, angles);
+
+  // Widths are shares of the largest width.
   if (widest > 1) {
     now.width *= widest;
     for (double& share : now.r) share /= widest;

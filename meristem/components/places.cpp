@@ -144,9 +144,9 @@ void check(const Places& places, const DocumentPath& path, ParameterReader& read
   for (const auto& [text, name] : places.names) {
     if (std::ranges::find(column->distinct, text) != column->distinct.end()) continue;
     const std::string nearest = reader.nearest(text, column->distinct);
-    reader.error_name(DocumentPath(DocumentPath(path, "names"), text),
-                      fmt::format("the column '{}' of '{}' has no '{}'", places.choose, places.table->file, text),
-                      nearest.empty() ? "a text of that column" : "", nearest);
+    reader.add_name_error(DocumentPath(DocumentPath(path, "names"), text),
+                          fmt::format("the column '{}' of '{}' has no '{}'", places.choose, places.table->file, text),
+                          nearest.empty() ? "a text of that column" : "", nearest);
   }
 }
 

@@ -35,7 +35,8 @@ void prepare(SkeletonFromFile& plant, const DocumentPath& path, ParameterReader&
     const double wanted = total_length(*skeleton) / requested.subdivide + static_cast<double>(skeleton->node_count());
     if (wanted > static_cast<double>(reader.limits().nodes)) {
       const DocumentPath finish_row(path, "finish");
-      return reader.error_limit(DocumentPath(finish_row, "subdivide"), "nodes", wanted, reader.limits().nodes, "nodes");
+      return reader.add_limit_error(DocumentPath(finish_row, "subdivide"), "nodes", wanted, reader.limits().nodes,
+                                    "nodes");
     }
     *skeleton = subdivide(*skeleton, requested.subdivide);
   }

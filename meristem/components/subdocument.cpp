@@ -31,9 +31,9 @@ void open(Subdocument& document, const DocumentPath& path, ParameterReader& read
     const PlantSource::Handle handle = document.source->handle(name);
     const DocumentPath own(set, name);
     if (!handle.is_known) {
-      reader.error_name(own, fmt::format("'{}' has no variable or parameter '{}'", document.source->file(), name),
-                        handle.nearest.empty() ? "a variable of that document, or a path such as leaf.length" : "",
-                        handle.nearest);
+      reader.add_name_error(own, fmt::format("'{}' has no variable or parameter '{}'", document.source->file(), name),
+                            handle.nearest.empty() ? "a variable of that document, or a path such as leaf.length" : "",
+                            handle.nearest);
       continue;
     }
     set_value.min = handle.min;

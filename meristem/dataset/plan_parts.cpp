@@ -42,8 +42,8 @@ void read_row_of_seeds(const Value& given, const DocumentPath& path, const char*
   const std::vector<std::string> names{"first", "count"};
   for (const auto& [name, value] : *given.object()) {
     if (name == "first" || name == "count") continue;
-    reader.error_name(DocumentPath(path, name), fmt::format("'{}' is not a part of the seeds", name), expected,
-                      nearest_name(name, names));
+    reader.add_name_error(DocumentPath(path, name), fmt::format("'{}' is not a part of the seeds", name), expected,
+                          nearest_name(name, names));
   }
   const Value* const first = given.find("first");
   const Value* const count = given.find("count");
@@ -91,8 +91,8 @@ void read_plan_views(const Value& given, const DocumentPath& path, ParameterRead
     if (angle == nullptr) continue;
     const DocumentPath own(path, name);
     if (!pictures.fixed_views.empty()) {
-      reader.error_name(own, fmt::format("'{}' has no effect beside a list of views", name),
-                        "a number of views, or no angles", "");
+      reader.add_name_error(own, fmt::format("'{}' has no effect beside a list of views", name),
+                            "a number of views, or no angles", "");
       continue;
     }
     if (pictures.drawn_views == 0) pictures.drawn_views = 1;

@@ -97,10 +97,10 @@ class PlanReader {
     for (const auto& [name, value] : *given.object()) {
       const DocumentPath own(path, name);
       if (name == "seed") {
-        reader_.error_name(own, "seeds are not set by a value", "\"seeds\" of the plan", "");
+        reader_.add_name_error(own, "seeds are not set by a value", "\"seeds\" of the plan", "");
       } else if (path_elements(name).empty()) {
-        reader_.error_name(own, fmt::format("'{}' is not a path", name),
-                           "one such as age, stem.length or links[1].density", "");
+        reader_.add_name_error(own, fmt::format("'{}' is not a path", name),
+                               "one such as age, stem.length or links[1].density", "");
       } else {
         values.emplace_back(name, value);
       }
@@ -115,7 +115,8 @@ class PlanReader {
     const Value* const grid = plan_.tree.find("grid");
     const Value* const samples = plan_.tree.find("samples");
     if (grid != nullptr && samples != nullptr) {
-      reader_.error_name(DocumentPath(top_, "samples"), "a plan has a grid or samples, not both", "one of them", "");
+      reader_.add_name_error(DocumentPath(top_, "samples"), "a plan has a grid or samples, not both", "one of them",
+                             "");
       return;
     }
     if (grid != nullptr) read_grid(*grid, DocumentPath(top_, "grid"));
@@ -128,8 +129,8 @@ class PlanReader {
     for (const auto& [name, value] : *given) {
       const DocumentPath own(path, name);
       if (std::find(plan_.columns.begin(), plan_.columns.end(), name) != plan_.columns.end()) {
-        reader_.error_name(own, fmt::format("'{}' has a distribution and other values as well", name), "one of them",
-                           "");
+        reader_.add_name_error(own, fmt::format("'{}' has a distribution and other values as well", name),
+                               "one of them", "");
       }
       if (auto variation = read_variation(value, own, reader_)) {
         vary_.emplace_back(name, std::move(*variation));
@@ -216,9 +217,9 @@ class PlanReader {
     if (output.settings != nullptr) names = output.settings().names();
     for (const auto& [name, value] : *settings.object()) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-      reader_.error_name(DocumentPath(path, name), fmt::format("'{}' is no setting of {} files", name, output.ending),
-                         names.empty() ? "no settings" : fmt::format("one of {}", fmt::join(names, ", ")),
-                         nearest_name(name, names));
+      reader_.add_name_error(
+          DocumentPath(path, name), fmt::format("'{}' is no setting of {} files", name, output.ending),
+          names.empty() ? "no settings" : fmt::format("one of {}", fmt::join(names, ", ")), nearest_name(name, names));
       return {};
     }
     if (output.check) {
@@ -464,8 +465,9 @@ class PlanReader {
     for (const auto& [path, value] : plan_.set) {
       if (std::find(plan_.columns.begin(), plan_.columns.end(), path) == plan_.columns.end()) continue;
       const DocumentPath set(top_, "set");
-      reader_.error_name(DocumentPath(set, path),
-                         fmt::format("'{}' is set and differs from plant to plant as well", path), "one of them", "");
+      reader_.add_name_error(DocumentPath(set, path),
+                             fmt::format("'{}' is set and differs from plant to plant as well", path), "one of them",
+                             "");
     }
   }
 

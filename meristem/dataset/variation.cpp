@@ -224,8 +224,8 @@ std::optional<ValueVariation> read_variation(const Value& value, const DocumentP
     } else if (name != "within" && name != "weights") {
       std::vector<std::string> all = names;
       all.insert(all.end(), {"within", "weights"});
-      reader.error_name(DocumentPath(path, name), fmt::format("'{}' is not a part of a distribution", name),
-                        fmt::format("one of {}", fmt::join(all, ", ")), nearest_name(name, all));
+      reader.add_name_error(DocumentPath(path, name), fmt::format("'{}' is not a part of a distribution", name),
+                            fmt::format("one of {}", fmt::join(all, ", ")), nearest_name(name, all));
       return std::nullopt;
     }
   }
@@ -238,7 +238,8 @@ std::optional<ValueVariation> read_variation(const Value& value, const DocumentP
   const Value& given = *value.find(form.name);
   const bool chooses = variation.kind == ValueVariation::Kind::choice;
   if (const Value* weights = value.find("weights"); weights != nullptr && !chooses) {
-    reader.error_name(DocumentPath(path, "weights"), "weights belong to choices", "\"choice\" beside \"weights\"", "");
+    reader.add_name_error(DocumentPath(path, "weights"), "weights belong to choices", "\"choice\" beside \"weights\"",
+                          "");
     return std::nullopt;
   }
   if (chooses) {

@@ -128,8 +128,8 @@ class KeyReader {
       if (path.starts_with("variables.") != of_variables) continue;
       const DocumentPath own(place, name);
       if (!is_path) {
-        reader_.error_name(own, fmt::format("'{}' is not a path", name),
-                           "one such as age, stem.length or links[1].density", "");
+        reader_.add_name_error(own, fmt::format("'{}' is not a path", name),
+                               "one such as age, stem.length or links[1].density", "");
         continue;
       }
       read(name, path, list, own);
@@ -140,11 +140,11 @@ class KeyReader {
  private:
   void read(const std::string& name, const std::string& path, const Value& list, const DocumentPath& place) {
     const FoundRow found = find(path_elements(path));
-    if (found.row == nullptr) return reader_.error_name(place, found.error, found.expected, found.nearest);
+    if (found.row == nullptr) return reader_.add_name_error(place, found.error, found.expected, found.nearest);
     const KeyClock clock = found.row->key_clock(found.in_component);
     if (clock == KeyClock::none) {
-      return reader_.error_name(place, fmt::format("'{}' cannot have keys", name),
-                                "a parameter that is a number, a vector, a colour, a choice, or true or false", "");
+      return reader_.add_name_error(place, fmt::format("'{}' cannot have keys", name),
+                                    "a parameter that is a number, a vector, a colour, a choice, or true or false", "");
     }
     const std::size_t errors_before = reader_.error_count();
     const std::vector<WrittenKey> keys = read_keys(*found.row, list, place);
@@ -402,7 +402,7 @@ class KeyReader {
     Value* const target = find_or_add_known(path, place, errors);
     if (target == nullptr) {
       for (const Diagnostic& diagnostic : errors)
-        reader_.error_name(place, diagnostic.message, diagnostic.expected, diagnostic.nearest);
+        reader_.add_name_error(place, diagnostic.message, diagnostic.expected, diagnostic.nearest);
       return;
     }
     if (!by_instance) {

@@ -292,7 +292,7 @@ class DocumentReader {
       return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
     };
     if (id.empty() || !std::all_of(id.begin(), id.end(), fits)) {
-      reader.error_name(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
+      reader.add_name_error(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
     }
     const Value* type = value.find("type");
     if (type == nullptr || type->text() == nullptr) {
@@ -334,9 +334,9 @@ class DocumentReader {
     if (prototype.shown.empty() || !watches || !watches(prototype.parameters.get())) return;
     for (const std::string& row : prototype.type->shows.before_growth) {
       if (value.find(row) == nullptr) continue;
-      reader.error_meaning(DocumentPath(path, row),
-                           fmt::format("'{}' has no meaning beside the growth of '{}'", row, prototype.shown),
-                           "no such key");
+      reader.add_meaning_error(DocumentPath(path, row),
+                               fmt::format("'{}' has no meaning beside the growth of '{}'", row, prototype.shown),
+                               "no such key");
     }
   }
 

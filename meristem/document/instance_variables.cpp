@@ -52,9 +52,9 @@ class InstanceVariableReader {
       if (is_identifier(name) && !has_meaning(name)) {
         drafts_.push_back({.name = name, .said = &said, .value = {}});
       } else {
-        reader_.error_name(DocumentPath(path_, name),
-                           fmt::format("'{}' already has a meaning in expressions, or is no name", name),
-                           "another name", "");
+        reader_.add_name_error(DocumentPath(path_, name),
+                               fmt::format("'{}' already has a meaning in expressions, or is no name", name),
+                               "another name", "");
       }
     }
     if (drafts_.empty()) return;
@@ -65,8 +65,8 @@ class InstanceVariableReader {
     std::vector<std::string> names;
     for (const Draft& draft : drafts_) {
       if (columns.contains(draft.name)) {
-        reader_.error_name(DocumentPath(path_, draft.name),
-                           fmt::format("'{}' is already a column of places", draft.name), "another name", "");
+        reader_.add_name_error(DocumentPath(path_, draft.name),
+                               fmt::format("'{}' is already a column of places", draft.name), "another name", "");
       }
       names.push_back(draft.name);
     }

@@ -109,10 +109,10 @@ void check_obstacles(const std::vector<ObstacleParameters>& forms, const Documen
     triangles += form.mesh ? static_cast<double>(form.mesh->mesh.triangles.size()) : 12;
   const SizeLimits& limits = reader.limits();
   if (triangles > static_cast<double>(limits.triangles)) {
-    return reader.error_limit(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
+    return reader.add_limit_error(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
   }
   if (kBytesATriangle * triangles > static_cast<double>(limits.mesh_bytes)) {
-    reader.error_limit(path, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
+    reader.add_limit_error(path, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
   }
 }
 

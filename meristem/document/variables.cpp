@@ -156,10 +156,10 @@ class Solver {
 
 Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value, const DocumentPath& path) {
   if (!is_identifier(name)) {
-    reader.error_name(path, fmt::format("'{}' is not a name", name),
-                      "letters, digits and _, not beginning with a digit", "");
+    reader.add_name_error(path, fmt::format("'{}' is not a name", name),
+                          "letters, digits and _, not beginning with a digit", "");
   } else if (has_meaning(name)) {
-    reader.error_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name", "");
+    reader.add_name_error(path, fmt::format("'{}' already has a meaning in expressions", name), "another name", "");
   }
   Variable variable;
   reader.read(variable_table(), &variable, value, path);

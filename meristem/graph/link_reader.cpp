@@ -194,10 +194,11 @@ void LinkReader::check_placement(const Value& value, const DocumentPath& path, c
   if (from == nullptr || (is_branch && from->type->makes_stems)) return;
   for (const auto& [name, member] : *value.object()) {
     if (placement_table().find(name) == nullptr) continue;
-    reader_.error_name(DocumentPath(path, name),
-                       is_branch ? fmt::format("'{}' has no meaning here, since '{}' makes no stems", name, from->id)
-                                 : fmt::format("'{}' belongs to branch links", name),
-                       is_branch ? "a link from a component with stems" : "\"kind\": \"branch\", or no such key", "");
+    reader_.add_name_error(
+        DocumentPath(path, name),
+        is_branch ? fmt::format("'{}' has no meaning here, since '{}' makes no stems", name, from->id)
+                  : fmt::format("'{}' belongs to branch links", name),
+        is_branch ? "a link from a component with stems" : "\"kind\": \"branch\", or no such key", "");
   }
 }
 

@@ -57,8 +57,8 @@ bool check_profiles(const CrownParameters& crown, const DocumentPath& path, Para
     const DocumentPath at(path, key);
     const std::optional<double> azimuth = azimuth_of(key);
     if (!azimuth) {
-      reader.error_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
-                        "");
+      reader.add_name_error(at, fmt::format("'{}' is not an azimuth", key),
+                            "degrees from north over east, such as \"90\"", "");
       return false;
     }
     if (!check_profile(side.profile, at, reader)) return false;
@@ -67,9 +67,9 @@ bool check_profiles(const CrownParameters& crown, const DocumentPath& path, Para
   std::sort(seen.begin(), seen.end());
   for (std::size_t k = 1; k < seen.size(); ++k) {
     if (seen[k].first > seen[k - 1].first) continue;
-    reader.error_name(DocumentPath(path, seen[k].second),
-                      fmt::format("'{}' and '{}' are one azimuth", seen[k - 1].second, seen[k].second),
-                      "a profile for each azimuth once", "");
+    reader.add_name_error(DocumentPath(path, seen[k].second),
+                          fmt::format("'{}' and '{}' are one azimuth", seen[k - 1].second, seen[k].second),
+                          "a profile for each azimuth once", "");
     return false;
   }
   return true;
@@ -355,7 +355,7 @@ void check_cloud(const std::optional<CrownParameters>& crown, const PointsParame
   }
   const double count = static_cast<double>(points.count) * static_cast<double>(times);
   if (count > static_cast<double>(reader.limits().points)) {
-    reader.error_limit(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
+    reader.add_limit_error(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
   }
 }
 

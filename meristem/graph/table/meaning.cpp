@@ -91,8 +91,8 @@ void check_meanings(const ParameterTable& table, const void* object, const Value
     for (const std::string& row_path : meaning.parameters) {
       if (!is_given(row_path)) continue;
       at_path(path, row_path, [&](const DocumentPath& at) {
-        reader.error_meaning(at, fmt::format("'{}' has no meaning {}", row_path, lack(meaning, table, object)),
-                             requests(meaning));
+        reader.add_meaning_error(at, fmt::format("'{}' has no meaning {}", row_path, lack(meaning, table, object)),
+                                 requests(meaning));
       });
     }
   }

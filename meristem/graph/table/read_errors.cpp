@@ -16,18 +16,19 @@ void ReadErrors::add_error(const DocumentPath& path, std::string message, std::s
                           .text_offset = text_offset});
 }
 
-void ReadErrors::error_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest) {
+void ReadErrors::add_name_error(const DocumentPath& path, std::string message, std::string expected,
+                                std::string nearest) {
   add_error(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
 }
 
-void ReadErrors::error_meaning(const DocumentPath& path, std::string message, std::string expected,
-                               const DocumentPath* other) {
+void ReadErrors::add_meaning_error(const DocumentPath& path, std::string message, std::string expected,
+                                   const DocumentPath* other) {
   meaningless_.push_back({path.text(), other == nullptr ? std::string() : other->text()});
-  error_name(path, std::move(message), std::move(expected), "");
+  add_name_error(path, std::move(message), std::move(expected), "");
 }
 
-void ReadErrors::error_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
-                             std::string_view limit_name) {
+void ReadErrors::add_limit_error(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
+                                 std::string_view limit_name) {
   if (++errors_ > limits_.diagnostics) return;
   diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, path.text()));
 }

@@ -30,13 +30,13 @@ class ReadErrors {
   void add_error(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
                  int text_offset = -1);
   /// Reports an error at a member's name instead of its value.
-  void error_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
+  void add_name_error(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
   /// Reports a parameter that has no effect at its position, or no effect beside `other`.
-  void error_meaning(const DocumentPath& path, std::string message, std::string expected,
-                     const DocumentPath* other = nullptr);
+  void add_meaning_error(const DocumentPath& path, std::string message, std::string expected,
+                         const DocumentPath* other = nullptr);
   /// Reports that `wanted` of `what` exceed the limit called `limit_name`.
-  void error_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
-                   std::string_view limit_name);
+  void add_limit_error(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
+                       std::string_view limit_name);
   /// Reports a value that is not of the row's kind.
   void wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path);
   /// Adds a warning at a value.

@@ -45,8 +45,8 @@ TEST(ReadErrors, WarningsAreNoErrors) {
 TEST(ReadErrors, AParameterWithoutEffectIsListedWithTheOther) {
   ReadErrors errors{SizeLimits()};
   const DocumentPath other(kLeaf, "file");
-  errors.error_meaning(DocumentPath(kLeaf, "length"), "no meaning", "one of them", &other);
-  errors.error_meaning(DocumentPath(kLeaf, "width"), "no meaning", "'length' beside it");
+  errors.add_meaning_error(DocumentPath(kLeaf, "length"), "no meaning", "one of them", &other);
+  errors.add_meaning_error(DocumentPath(kLeaf, "width"), "no meaning", "'length' beside it");
   ASSERT_EQ(errors.meaningless().size(), 2U);
   EXPECT_EQ(errors.meaningless()[0].file_path, "leaf.length");
   EXPECT_EQ(errors.meaningless()[0].other, "leaf.file");
@@ -73,7 +73,7 @@ TEST(ReadErrors, NoSimilarNamesAreSearchedForErrorsThatAreNotShown) {
 
 TEST(ReadErrors, ALimitNamesTheLimitToRaise) {
   ReadErrors errors{SizeLimits()};
-  errors.error_limit(kLeaf, "corners", 700, 500, "corners");
+  errors.add_limit_error(kLeaf, "corners", 700, 500, "corners");
   ASSERT_EQ(errors.diagnostics().size(), 1U);
   EXPECT_NE(errors.diagnostics()[0].text().find("limits.corners"), std::string::npos) << errors.diagnostics()[0].text();
 }

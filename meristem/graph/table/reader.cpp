@@ -66,14 +66,14 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
     const Parameter* row = table.find(name);
     if (row == nullptr && std::ranges::find(table.elsewhere, name) != table.elsewhere.end()) continue;
     if (const std::string* reason = row == nullptr ? table.reason_without(name) : nullptr) {
-      error_name(member_place, fmt::format("'{}' has no meaning here: {}", name, *reason), "no such key", "");
+      add_name_error(member_place, fmt::format("'{}' has no meaning here: {}", name, *reason), "no such key", "");
       continue;
     }
     if (row == nullptr) {
       const std::vector<std::string> names = table.names();
       const std::string similar = nearest(name, names);
-      error_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
-                 similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
+      add_name_error(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
+                     similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
       continue;
     }
     given.add(*row);
@@ -106,7 +106,7 @@ void ParameterReader::check_given(const ParameterTable& table, const GivenRows& 
   for (const ParameterTable::Company& rule : table.company) {
     if (!given.contains(rule.parameter) || given.contains(rule.other) == rule.is_wanted) continue;
     const DocumentPath other(path, rule.other);
-    error_meaning(
+    add_meaning_error(
         DocumentPath(path, rule.parameter),
         fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
         rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them",

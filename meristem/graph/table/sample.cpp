@@ -45,9 +45,9 @@ std::vector<double> values_of_file(const Parameter& row, const Value& said, cons
   const Value* column = said.find("column");
   for (const auto& [name, member] : *said.object()) {
     if (name == "file" || name == "column") continue;
-    readers.errors.error_name(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
-                              "file and column",
-                              readers.errors.nearest(name, std::vector<std::string>{"file", "column"}));
+    readers.errors.add_name_error(DocumentPath(path, name), fmt::format("'{}' does not belong to a sample", name),
+                                  "file and column",
+                                  readers.errors.nearest(name, std::vector<std::string>{"file", "column"}));
   }
   if (file == nullptr || column == nullptr || column->text() == nullptr) {
     readers.errors.add_error(

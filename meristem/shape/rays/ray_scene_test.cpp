@@ -215,17 +215,18 @@ TEST(SceneSize, FreedTangentsLeaveAllElseAndSharedMeshesShared) {
   scene.meshes[1].frames.resize(3);
   scene.meshes.push_back(field_with_tangents().meshes[0]);
   EXPECT_EQ(distinct_size(scene), 3 * 32 + 1 + 3 + 1U);
-  const std::shared_ptr<const Mesh> before = scene.meshes[0].mesh;
+  const Mesh before = *scene.meshes[0].mesh;
+  const std::shared_ptr<const Mesh> of_others = scene.meshes[2].mesh;
   free_tangents(scene);
   const Mesh& after = *scene.meshes[0].mesh;
   EXPECT_EQ(&after, scene.meshes[1].mesh.get());
   EXPECT_NE(&after, scene.meshes[2].mesh.get());
   EXPECT_TRUE(after.tangents.empty());
-  EXPECT_FALSE(before->tangents.empty()) << "the mesh of others keeps its tangents";
-  EXPECT_EQ(after.positions, before->positions);
-  EXPECT_EQ(after.normals, before->normals);
-  EXPECT_EQ(after.uvs, before->uvs);
-  EXPECT_EQ(after.triangles, before->triangles);
+  EXPECT_FALSE(of_others->tangents.empty()) << "the mesh of others keeps its tangents";
+  EXPECT_EQ(after.positions, before.positions);
+  EXPECT_EQ(after.normals, before.normals);
+  EXPECT_EQ(after.uvs, before.uvs);
+  EXPECT_EQ(after.triangles, before.triangles);
 }
 
 TEST(SceneSize, PartsThatAloneShareAMeshStillShareItWithoutTangents) {

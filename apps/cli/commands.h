@@ -25,6 +25,7 @@ void add_scan(CLI::App& app, Run& run);
 void add_derive(CLI::App& app, Run& run);
 void add_graph(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
+void add_combine(CLI::App& app, Run& run);
 void add_plan(CLI::App& app, Run& run);
 void add_dataset(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);

@@ -130,6 +130,7 @@ int main(int argc, char** argv) {
   cli::add_derive(app, run);
   cli::add_graph(app, run);
   cli::add_check(app, run);
+  cli::add_combine(app, run);
   cli::add_plan(app, run);
   cli::add_dataset(app, run);
   cli::add_components(app, run);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
@@ -175,6 +176,21 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
   return plant.grammar || plant.file ? plant.source().placed : std::vector<PlacedComponent>();
 }
 
+/// Returns true if a word of the grammar may move the turtle by the default length.
+bool draws_default_length(const Grammar& grammar) {
+  const auto is_default = [&](const ModuleTemplate& module) {
+    const Letter& letter = grammar.alphabet[module.letter];
+    return letter.arity == 0 && letter.symbol.size() == 1 &&
+           std::string_view("FGfg").find(letter.symbol[0]) != std::string_view::npos;
+  };
+  const auto moves = [&](const std::vector<ModuleTemplate>& word) { return std::ranges::any_of(word, is_default); };
+  if (moves(grammar.axiom)) return true;
+  for (const RuleSet* set : {&grammar.production, &grammar.decomposition, &grammar.interpretation}) {
+    if (std::ranges::any_of(set->rules, [&](const GrammarRule& rule) { return moves(rule.successor); })) return true;
+  }
+  return false;
+}
+
 void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // the table has already reported this
   const Grammar& grammar = plant.source().grammar;
@@ -193,6 +209,10 @@ void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterRead
   if (counts_steps && plant.turtle.length == 0) {
     reader.add_error(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
                      "a 'length' other than 0");
+  }
+  if (plant.turtle.length == 0 && draws_default_length(grammar)) {
+    reader.warn(DocumentPath(path, "length"),
+                "'length' is 0, and the grammar has F, G, f or g without a parameter, which then draw nothing");
   }
 }
 

@@ -168,6 +168,51 @@ TEST(Lsystem, SaysWhatIsWrong) {
               HasSubstr("'finish' counts in steps of 'length', which is 0"));
 }
 
+TEST(Lsystem, ALengthOf0Warns) {
+  const auto warnings_of = [](const Value::Object& parameters) {
+    ParameterReader reader({}, SizeLimits());
+    const ComponentType type = lsystem_component();
+    const std::shared_ptr<void> plant = type.make_parameters();
+    reader.read_varying(type.parameters, plant.get(), parameters, DocumentPath());
+    std::vector<std::string> texts;
+    for (const Diagnostic& warning : reader.take_diagnostics()) {
+      EXPECT_EQ(warning.severity, Severity::warning);
+      texts.push_back(warning.path + ": " + warning.message);
+    }
+    return texts;
+  };
+  const char* message =
+      "length: 'length' is 0, and the grammar has F, G, f or g without a parameter, which then draw nothing";
+  for (const char* grammar : {"F", "A\n#rules\nA -> [+f]A", "A\n#interpret\nA -> G"}) {
+    EXPECT_EQ(warnings_of({{"grammar", grammar}, {"steps", 1}, {"length", 0}}), std::vector<std::string>{message});
+    EXPECT_EQ(warnings_of({{"grammar", grammar}, {"steps", 1}}), std::vector<std::string>{});
+  }
+  EXPECT_EQ(warnings_of({{"grammar", "F(0.3)[+F(0.2)]"}, {"steps", 1}, {"length", 0}}), std::vector<std::string>{});
+}
+
+TEST(Lsystem, OneAgeDrivesStepsLeavesAndTheirSize) {
+  const auto grown_at = [](int age) {
+    GraphBuilder builder(builtin_components());
+    builder.variable("age", age).component("view", "camera");
+    builder.component("tree", "lsystem", {{"grammar", "A\n#rules\nA -> F[&(40)A]/(180)A"}, {"steps", "age"}});
+    builder.component("leaf", "leaf", {{"length", "0.05 + 0.005*age"}, {"width", 0.03}});
+    builder.link("view", "tree").link("tree", "leaf", LinkKind::branch, {{"density", "4*age"}});
+    return builder.grow();
+  };
+  const Plant young = grown_at(3);
+  const Plant old = grown_at(6);
+  const auto leaves_per_node = [](const Plant& plant) {
+    return static_cast<double>(plant.organs.size()) / static_cast<double>(only_skeleton(plant).node_count());
+  };
+  EXPECT_NEAR(leaves_per_node(old) / leaves_per_node(young), 2, 0.5);
+  const auto length_of = [](const Plant& plant) {
+    Box box;
+    for (const Vec3 position : plant.prototypes.at(0).mesh->positions) box.add(position);
+    return box.size().y * glm::length(plant.organs.at(0).frame.heading());
+  };
+  EXPECT_GT(length_of(old), length_of(young));
+}
+
 TEST(Lsystem, FaultsOfADerivationNameTheRulesLine) {
   EXPECT_THAT(error_of({{"grammar", "A(1)\n#rules\nA(x) -> A(1/(1-x))\n"}, {"steps", 2}}),
               HasSubstr("components.plant.grammar: line 3 of the grammar"));

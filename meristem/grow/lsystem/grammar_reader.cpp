@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "meristem/base/read_file.h"
 #include "meristem/grow/lsystem/grammar_check.h"
 #include "meristem/grow/lsystem/grammar_include.h"
+#include "meristem/grow/lsystem/grammar_parts.h"
 #include "meristem/grow/lsystem/grammar_text.h"
 #include "meristem/grow/lsystem/module_reader.h"
 #include "meristem/grow/lsystem/rule_reader.h"
@@ -69,12 +71,40 @@ std::string_view take_word(std::string_view& rest) {
   return word;
 }
 
+/// Returns the part of the kit that the directive includes: its name after kPartsFolder. Returns nothing for grammars
+/// in files, which stand for a symbol.
+std::optional<std::string_view> part_name(const Directive& directive) {
+  std::string_view rest = directive.rest;
+  const std::string_view file = take_word(rest);
+  if (directive.name != "#include" || !file.starts_with(kPartsFolder) || !trimmed(rest).empty()) return std::nullopt;
+  return file.substr(kPartsFolder.size());
+}
+
+/// Returns the text with the texts of all included parts behind it, each once.
+std::string with_parts(std::string_view text, const GrammarOptions& options) {
+  std::string all(text);
+  if (text.find("#include") == std::string_view::npos) return all;
+  std::vector<const GrammarPart*> parts;
+  const GrammarText grammar(text, options.file, options.limits);
+  for (const std::string_view line : grammar.lines()) {
+    const auto directive = as_directive(line);
+    const auto name = directive ? part_name(*directive) : std::nullopt;
+    const GrammarPart* part = name ? find_grammar_part(*name) : nullptr;
+    if (part == nullptr || std::ranges::find(parts, part) != parts.end()) continue;
+    parts.push_back(part);
+    // A \ at the end of the text joins the blank line, not the part.
+    all.append("\n\n").append(part->text);
+  }
+  return all;
+}
+
 class GrammarReader {
  public:
   GrammarReader(std::string_view text, const GrammarOptions& options, Inclusions& inclusions)
       : options_(options),
         inclusions_(inclusions),
-        text_(text, options.file, options.limits),
+        own_bytes_(text.size()),
+        text_(with_parts(text, options), options.file, options.limits),
         errors_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
         modules_(errors_, grammar_.alphabet),
         rules_(text_, errors_, options.limits, modules_, options.constants) {
@@ -105,6 +135,8 @@ class GrammarReader {
   std::optional<std::string> included_text(const Directive& directive, const std::string& written,
                                            const std::string& name);
   bool include(const Directive& directive, std::string_view file, LetterIndex letter, std::string_view steps);
+  void check_part(const Directive& directive, std::string_view name);
+  void read_parts(std::span<const std::string_view> lines);
   std::optional<int> step_count(std::string_view text);
   void add_rule(GrammarRule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
 
@@ -115,6 +147,7 @@ class GrammarReader {
 
   const GrammarOptions& options_;
   Inclusions& inclusions_;
+  std::size_t own_bytes_;  ///< bytes of the grammar itself; the parts of the kit follow
   GrammarText text_;
   GrammarErrors errors_;
   Grammar grammar_;
@@ -137,8 +170,9 @@ Grammar GrammarReader::read() {
   grammar_.close = grammar_.alphabet.add("]", 0);
   grammar_.cut = grammar_.alphabet.add("%", 0);
   const std::vector<std::string_view> lines = text_.lines();
+  const auto parts = std::ranges::find_if(lines, [&](auto line) { return text_.offset(line) >= own_bytes_; });
   read_names(lines);
-  for (const std::string_view line : lines) {
+  for (const std::string_view line : std::span(lines.begin(), parts)) {
     if (errors_.is_full()) break;
     if (const auto directive = as_directive(line)) {
       read_directive(*directive);
@@ -146,6 +180,7 @@ Grammar GrammarReader::read() {
       read_line(line);
     }
   }
+  read_parts(std::span(parts, lines.end()));
   if (options_.words != nullptr) *options_.words = {words_of(symbols_), words_of(names_)};
   finish();
   return std::move(grammar_);
@@ -156,6 +191,7 @@ std::vector<GrammarWord> GrammarReader::words_of(std::vector<std::string_view> p
   std::vector<GrammarWord> words;
   for (const std::string_view piece : pieces) {
     GrammarWord word{text_.offset(piece), std::string(piece)};
+    if (word.offset >= own_bytes_) break;  // the parts of the kit are not in the text
     if (words.empty() || words.back() != word) words.push_back(std::move(word));
   }
   return words;
@@ -351,7 +387,32 @@ void GrammarReader::read_angle(const Directive& directive) {
   if (const auto angle = rules_.read_constant(directive.rest)) grammar_.angle = angle;
 }
 
+void GrammarReader::check_part(const Directive& directive, std::string_view name) {
+  if (find_grammar_part(name) != nullptr) return;
+  std::vector<std::string> names;
+  for (const GrammarPart& part : grammar_parts()) names.push_back(std::string(kPartsFolder).append(part.name));
+  const std::string written = std::string(kPartsFolder).append(name);
+  errors_.add(directive.all, fmt::format("{} is not among the parts of grammars", in_quotes(written)),
+              fmt::format("one of {}", fmt::join(names, ", ")), nearest_name(written, names));
+}
+
+/// Reads the rules of the included parts. A part has no rules for letters that already have some.
+void GrammarReader::read_parts(std::span<const std::string_view> lines) {
+  std::vector<LetterIndex> taken;
+  for (const std::string_view line : lines) {
+    if (as_directive(line)) {  // #symbols, the first line of each part
+      taken.clear();
+      for (const GrammarRule& rule : grammar_.interpretation.rules) taken.push_back(rule.predecessor);
+      continue;
+    }
+    auto rule = rules_.read_rule(line, RuleReader::Kind::interpretation);
+    if (!rule || std::ranges::find(taken, rule->predecessor) != taken.end()) continue;
+    add_rule(std::move(*rule), {}, grammar_.interpretation, places_.interpretation);
+  }
+}
+
 void GrammarReader::read_include(const Directive& directive) {
+  if (const auto part = part_name(directive)) return check_part(directive, *part);
   std::string_view rest = directive.rest;
   const std::string_view file = take_word(rest);
   const std::string_view as = take_word(rest);

@@ -15,6 +15,7 @@
 //   #include fir.txt as T for 6 steps
 //                              T is drawn as the word of that grammar after this number of steps. Default: its #steps.
 //                              The path is relative to the folder of the grammar that includes it
+//   #include "meristem/whorl"  the symbols and rules of a part of the kit (grammar_parts.h)
 //
 // Directives are at the beginning of a line. Before the first of #axiom and #rules, lines belong to the axiom. There
 // and after #axiom, a line with an arrow begins the rules. Arrows are -> and →, and --> after a symbol. Blanks between

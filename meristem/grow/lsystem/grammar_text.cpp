@@ -130,7 +130,7 @@ void GrammarErrors::add(std::string_view at, std::string message, std::string ex
 }
 
 void GrammarErrors::warn(std::string_view at, std::string message, std::string expected) {
-  if (warnings_.size() >= max_) return;
+  if (at.data() == nullptr || warnings_.size() >= max_) return;
   const std::size_t offset = text_.offset(at);
   Diagnostic warning = text_.error(offset, std::move(message), std::move(expected));
   warning.severity = Severity::warning;

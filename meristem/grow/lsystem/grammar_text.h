@@ -53,6 +53,7 @@ class GrammarErrors {
 
   /// Adds an error. `at` is a piece of the text.
   void add(std::string_view at, std::string message, std::string expected, std::string nearest = "");
+  /// Adds a warning. Rules without a place in the text, `{}`, cause no warnings.
   void warn(std::string_view at, std::string message, std::string expected = "");
   /// Adds the errors of an included file, at the position of its inclusion.
   void add_all(std::string_view at, const std::vector<Diagnostic>& others);

@@ -33,6 +33,9 @@ constexpr double kFine = 0.002;         // share of half the width: allowed erro
 constexpr double kSliver = 0.008;       // share of half the width: details that the mesh always leaves out
 constexpr double kRowGap = 2.5e-3;      // share of the length: minimum distance of rows from each other and from the
                                         // ends
+constexpr double kMaxHeartFactor = 6;   // the largest move of a base, in hearts
+constexpr double kHeartShare = 0.97;    // a base that reaches back by this share of its heart is moved no farther
+constexpr int kHeartSteps = 40;         // halvings of the interval in which the move is sought
 constexpr int kBaseSteps = 12;          // points of a blunt base that becomes a heart
 constexpr double kSnap = 0.3;           // share of the space between rows: maximum move of a row to meet a corner of
                                         // the edge
@@ -208,15 +211,31 @@ Chain with_base_points(const Chain& chain) {
   return out;
 }
 
-/// Draws the base back. The move is largest beside the joint, a third of the way to the edge, and 0 at the midrib and
-/// at the tip.
+/// Returns the position along the blade of a point that is moved toward the stalk. The move is `factor` beside the
+/// joint, a third of the way to the edge, and 0 at the midrib and at the tip.
+double moved_back(Point point, double factor) {
+  if (point.x <= 0) return point.y;
+  const double lobe = math::sin(kPi * math::pow(std::min(point.x, 1.0), 0.6));
+  const double to_tip = std::max(0.0, 1 - point.y);
+  return point.y - factor * lobe * to_tip * to_tip * to_tip;
+}
+
+/// Draws the base back until its lowest point lies `heart` behind the joint. A base that is narrow where the move is
+/// large must be moved farther. Blades that begin as a narrow stalk would be torn apart, so the move has a limit.
 void draw_back(Chain& chain, double heart) {
-  for (Point& point : chain) {
-    if (point.x <= 0) continue;
-    const double lobe = math::sin(kPi * math::pow(std::min(point.x, 1.0), 0.6));
-    const double to_tip = std::max(0.0, 1 - point.y);
-    point.y -= heart * lobe * to_tip * to_tip * to_tip;
+  const auto lowest = [&](double factor) {
+    double low = 0;
+    for (const Point point : chain) low = std::min(low, moved_back(point, factor));
+    return low;
+  };
+  double low = heart;
+  double high = heart;
+  if (lowest(heart) > -kHeartShare * heart) high = kMaxHeartFactor * heart;
+  for (int k = 0; k < kHeartSteps && low < high; ++k) {
+    const double factor = 0.5 * (low + high);
+    (lowest(factor) > -heart ? low : high) = factor;
   }
+  for (Point& point : chain) point.y = moved_back(point, high);
 }
 
 /// Returns the edge without teeth as many points.

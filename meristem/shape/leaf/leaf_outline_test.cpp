@@ -121,6 +121,20 @@ TEST(LeafOutline, AHeartReachesBackBesideTheJoint) {
   EXPECT_EQ(outline.high, 1);
 }
 
+TEST(LeafOutline, AHeartReachesBackByItsShareFromANarrowBaseToo) {
+  LeafBlade blade;
+  for (const CurveKind kind : {CurveKind::linear, CurveKind::spline}) {
+    blade.outline = Curve({{0, 0}, {0.15F, 0.6F}, {0.4F, 1}, {1, 0}}, kind);
+    for (const double heart : {0.1, 0.3, 0.5}) {
+      blade.heart = heart;
+      EXPECT_NEAR(full_outline(blade).low, -heart, 0.03 * heart) << heart;
+    }
+  }
+  // A lanceolate blade has almost no base that could be drawn back.
+  blade.outline = Curve({{0, 0}, {0.9F, 0.001F}, {0.95F, 1}, {1, 0}}, CurveKind::linear);
+  EXPECT_LE(full_outline(blade).low, 0);
+}
+
 TEST(LeafOutline, RowsRiseBetweenBothEnds) {
   LeafBlade blade;
   blade.polygon = kPalmate;

@@ -83,7 +83,8 @@ const ParameterTable& surface_table() {
           .number("shift_v", &SurfaceOptions::shift_v, {.min = -1000, .max = 1000, .usual = {0, 1}, .fixed = true},
                   "Shift of the texture along tubes, in tiles; raised, the picture moves toward the base.")
           .number(
-              "turn", &SurfaceOptions::turn, {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}, .fixed = true},
+              "turn", &SurfaceOptions::turn,
+              {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}, .fixed = true},
               "Turn of the texture on tubes, at the nearest angle at which tiles still join around the tube; 90 lays "
               "a picture on its side.")
           .boolean("mirror", &SurfaceOptions::mirror, "Whether the texture of tubes is mirrored around them.")

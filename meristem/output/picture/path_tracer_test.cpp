@@ -234,12 +234,12 @@ MeshScene smooth_ball(Material material, int around) {
   return scene;
 }
 
-// Triangles that face away from a lamp are lit as far as the smooth ball would be, so the shadow's edge has no steps.
+// A triangle that faces away from a lamp is lit where the smooth ball would be.
 TEST(PathTracer, TheShadowEdgeOfASmoothBallHasNoSteps) {
   Material matt = white();
   matt.roughness = 1;
   const MeshScene ball = smooth_ball(matt, 24);
-  // The shadow's edge is at an azimuth of 11°, within faces from 0° to 15°, which face away from the lamp as a whole.
+  // The shadow's edge is at an azimuth of 11°. The faces around it, from 0° to 15°, face away from the lamp.
   const auto edge = static_cast<float>(radians(11));
   const Vec3 to_lamp(std::cos(edge), 0, -std::sin(edge));
   const Lamplight lamps({{.position = 1000.0F * to_lamp, .strength = 1e6}});

@@ -281,7 +281,7 @@ const Rejection kRejections[] = {
     {"SpotOntoItself", R"({"lamps": [{"position": [0, 1, 0], "target": [0, 1, 0]}]})",
      "46: scene.lamps[0].target: the lamp shines at its own position; expected another point"},
     {"ConeWithoutTarget", R"({"lamps": [{"position": [0, 1, 0], "angle": 30}]})",
-     "45: scene.lamps[0].angle: 'angle' has no meaning without 'target'; expected 'target' beside it"},
+     "36: scene.lamps[0].angle: 'angle' has no meaning without 'target'; expected 'target' beside it"},
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneLight, RejectedLight, testing::ValuesIn(kRejections),

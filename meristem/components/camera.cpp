@@ -24,6 +24,9 @@ const ParameterTable& view_table() {
           .number("field_of_view", &CameraView::field_of_view,
                   {.unit = Unit::degree, .min = 1, .max = 150, .usual = {10, 90}, .fixed = true},
                   "Vertical opening angle of the camera; raised, the view gets wider and its perspective stronger.")
+          .number("roll", &CameraView::roll,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {-45, 45}, .fixed = true},
+                  "Turn of the camera about its line of sight; raised, the picture turns clockwise.")
           .colour("background", &CameraView::background, "Colour behind the plant; by default, the sky.")
           .number("haze", &CameraView::haze,
                   {.unit = Unit::metre, .min = 1, .max = 1e6, .usual = {50, 5000}, .fixed = true},

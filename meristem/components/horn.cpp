@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cross-section or primitive along the curve of a stem. The section 'ring' is the stem itself. An outline is lofted
-// through the stem's nodes. Primitives are placed on the ribs. All sections except rings have an invisible stem, so
-// that links can place children along it.
+// A cross-section or primitive along the curve of a stem. The section 'ring' is the stem itself. An outline or a
+// line is lofted through the stem's nodes. Areas and primitives are placed on the ribs. All sections except rings have
+// an invisible stem, so that links can place children along it.
 #include "meristem/components/horn.h"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemP
   std::vector<LoftSection> sections;
   const auto add = [&](const Frame& frame, double u) {
     const double radius = radius_at(stem, left.thick_as(u));
-    LoftSection& section = sections.emplace_back();
+    LoftSection& section = sections.emplace_back(LoftSection{.is_closed = horn.section == Horn::Section::outline});
     if (radius < kThinnest * stem.length) {
       section.points.push_back(frame.origin);
       return;
@@ -168,6 +168,24 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   organs.add(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms), left); });
 }
 
+/// Returns the filled outline of radius 1, across the heading.
+Mesh make_area(const std::vector<Vec2>& outline) {
+  LoftSection section;
+  for (const Vec2 point : outline) section.points.emplace_back(point.x, 0, point.y);
+  return make_loft({{section}}).mesh;
+}
+
+/// Emits a flat area at each rib.
+void emit_areas(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, OrganSink& organs) {
+  const Mat3 back = glm::inverse(site.frame.axes);
+  for (const Rib& rib : ribs) {
+    if (rib.radius < kThinnest * horn.stem.length) continue;
+    Frame local{back * rib.frame.axes, back * (rib.frame.origin - site.frame.origin)};
+    local.axes *= rib.radius * rib.part;
+    organs.add(local, shape_key({-1}), [&] { return make_area(horn.outline); });
+  }
+}
+
 /// Emits a primitive at each rib: as wide and high as the curve there, and centred on it.
 void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, OrganSink& organs) {
   const auto shape = static_cast<UnitShape>(static_cast<int>(horn.section) - static_cast<int>(Horn::Section::box));
@@ -195,8 +213,10 @@ void expand(const Horn& horn, const Site& site, const InstanceContext& instance,
   } else {
     stems.add_unseen(std::move(path.skeleton), horn.trim);
     const CurveLeft left{stems.length_left(), horn.trim == TrimMode::fit};
-    if (horn.section == Horn::Section::outline) {
+    if (horn.section == Horn::Section::outline || horn.section == Horn::Section::line) {
       emit_outline(horn, site, tropisms, left, instance, organs);
+    } else if (horn.section == Horn::Section::area) {
+      emit_areas(horn, site, ribs_left(horn, path, ribs, left), organs);
     } else {
       emit_primitives(horn, site, ribs_left(horn, path, ribs, left), organs);
     }
@@ -209,11 +229,16 @@ void expand(const Horn& horn, const Site& site, const InstanceContext& instance,
                    scale * static_cast<float>(radius_at(horn.stem, 1)));
 }
 
+/// Returns true if the section is made of the points of `outline`.
+bool has_outline(Horn::Section section) {
+  return section == Horn::Section::outline || section == Horn::Section::line || section == Horn::Section::area;
+}
+
 void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& reader) {
   check_stem_form(horn.stem, place, reader);
   const DocumentPath outline(place, "outline");
-  if (horn.section != Horn::Section::outline) return;
-  LoftSection section;
+  if (!has_outline(horn.section)) return;
+  LoftSection section{.is_closed = horn.section != Horn::Section::line};
   for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
   const auto error = find_error(section);
   if (error && error->point) {
@@ -221,7 +246,8 @@ void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& re
   } else if (error) {
     reader.add_error(outline, error->message, error->expected);
   } else if (section.is_point()) {
-    reader.add_error(outline, "the outline is a single point", "at least 3 points");
+    reader.add_error(outline, "the outline is a single point",
+                     section.is_closed ? "at least 3 points" : "at least 2 points");
   }
 }
 
@@ -241,11 +267,15 @@ ComponentType horn_component() {
       .parameters =
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
-              .choice("section", &Horn::section, {"ring", "outline", "box", "sphere", "cylinder", "cone", "torus"},
-                      "What follows the curve: with 'ring' a stem that other stems can join, with 'outline' a surface "
-                      "through copies of the outline, else the named primitive on each rib.")
+              .choice("section", &Horn::section,
+                      {"ring", "outline", "line", "area", "box", "sphere", "cylinder", "cone", "torus"},
+                      "What follows the curve: with 'ring' a stem that other stems can join, with 'outline' a closed "
+                      "surface through copies of the outline, with 'line' a sheet through the open line of its points, "
+                      "with "
+                      "'area' the filled outline on each rib, else the named primitive on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
-                      "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
+                      "Points [x, z] of the cross-section for the sections 'outline', 'line' and 'area', as shares of "
+                      "the radius.")
               .together(PointsForm::polygon)
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
                       "Twist of section and ribs about the curve from base to tip.")
@@ -256,13 +286,16 @@ ComponentType horn_component() {
                        "Number of corners around each primitive; raised, rounder, with more triangles.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' becomes a surface.")
               .choice("trim", &Horn::trim, trim_modes(), kTrimDoc)
-              .only_where({{"section", {"outline"}}}, {"outline"})
+              .only_where({{"section", {"outline", "line", "area"}}}, {"outline"})
               .only_where({{"section", {"sphere", "cylinder", "cone", "torus"}}}, {"around"})
               .only_where({{"section", {"ring"}}}, {"surface"})
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
-              .only_where({{"section", {"outline", "box", "sphere", "cylinder", "cone", "torus"}}}, names_off_stems())
+              .only_where({{"section", {"outline", "line", "area", "box", "sphere", "cylinder", "cone", "torus"}}},
+                          names_off_stems())
               .check(check_horn),
       .expand = expand,
+      .is_sheet =
+          [](const Horn& horn) { return horn.section == Horn::Section::line || horn.section == Horn::Section::area; },
   });
 }
 

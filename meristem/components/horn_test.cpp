@@ -137,6 +137,37 @@ TEST(Horn, AnOutlineThatTapersToNothingIsAPyramidHoweverItIsTwisted) {
   EXPECT_TRUE(check_mesh(*one(twisted).grow().prototypes.at(0).mesh));
 }
 
+// A line of two points is a strip, twice the radius wide.
+TEST(Horn, ALineIsASheetSeenFromBothSides) {
+  const Value ends = Value::List{Value(Value::List{-1, 0}), Value(Value::List{1, 0})};
+  const Plant plant =
+      one({{"section", "line"}, {"outline", ends}, {"length", 2}, {"radius", 0.25}, {"taper", even_taper(1)}}).grow();
+  ASSERT_EQ(plant.organs.size(), 1U);
+  EXPECT_TRUE(plant.materials.at(0).two_sided);
+  const Mesh& mesh = *plant.prototypes.at(0).mesh;
+  const double scale = plant.organs[0].frame.axes[1][1];
+  EXPECT_NEAR(surface_area(mesh) * scale * scale, 2 * 0.5, 1e-4);
+}
+
+TEST(Horn, AreasFillTheOutlineOnEachRib) {
+  const Plant plant = one({{"section", "area"},
+                           {"outline", square()},
+                           {"ribs", 3},
+                           {"length", 2},
+                           {"radius", 0.2},
+                           {"taper", even_taper(0.5)}})
+                          .grow();
+  ASSERT_EQ(plant.organs.size(), 3U);
+  EXPECT_TRUE(plant.materials.at(0).two_sided);
+  EXPECT_EQ(plant.prototypes.size(), 1U) << "they share a mesh";
+  EXPECT_NEAR(surface_area(*plant.prototypes[0].mesh), 4, 1e-5);
+  for (int k = 0; k < 3; ++k) {
+    const Frame& frame = plant.organs[static_cast<std::size_t>(k)].frame;
+    EXPECT_LT(glm::distance(frame.origin, Vec3(0, k, 0)), 1e-5F);
+    EXPECT_NEAR(glm::length(frame.axes[0]), 0.2 * (1 - 0.25 * k), 1e-5);
+  }
+}
+
 TEST(Horn, OutlinesShareTheirMeshWhereNothingDiffers) {
   const auto prototypes = [](const Value::Object& more) {
     Value::Object parameters{{"section", "outline"}, {"outline", square()}, {"curl", 50}};
@@ -199,6 +230,9 @@ TEST(Horn, FaultsAreLocated) {
   EXPECT_EQ(path_of({{"outline", square()}}), "components.horn.outline");
   EXPECT_EQ(path_of({{"axis", Value::List{Value::List{0, 1, 0}, Value::List{0, 1, 0}}}}), "components.horn.axis[1]");
   EXPECT_EQ(path_of({{"ribs", 0}}), "components.horn.ribs");
+  EXPECT_EQ(path_of({{"section", "area"}}), "components.horn.outline");
+  EXPECT_EQ(path_of({{"section", "line"}, {"outline", Value::List{Value(Value::List{0, 0})}}}),
+            "components.horn.outline");
   EXPECT_EQ(errors_of([] { one({{"section", "bix"}}); }).at(0).nearest, "box");
 }
 

@@ -130,9 +130,18 @@ const ParameterTable& sun_table() {
   return table;
 }
 
+void check_lamp(const Lamp& lamp, const DocumentPath& path, ParameterReader& reader) {
+  if (lamp.colour == Vec3(0)) {
+    reader.add_error(DocumentPath(path, "colour"), "black light has no hue", "a colour other than black");
+  }
+  if (lamp.target == lamp.position) {
+    reader.add_error(DocumentPath(path, "target"), "the lamp shines at its own position", "another point");
+  }
+}
+
 const ParameterTable& lamp_table() {
   static const ParameterTable table =
-      Table<Lamp>("a lamp", "A lamp that shines to all sides.")
+      Table<Lamp>("a lamp", "A lamp that shines to all sides, or as a spot into a cone.")
           .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
                   "Position of the lamp.")
           .in_space(InSpace::position)
@@ -140,7 +149,22 @@ const ParameterTable& lamp_table() {
           .number(
               "strength", &Lamp::strength, {.min = 0, .max = 1e6, .usual = {0.05, 10}, .above_min = true},
               "Strength of the lamp at a distance of one metre, relative to all directional light; it falls with the "
-              "square of the distance.");
+              "square of the distance.")
+          .colour(
+              "colour", &Lamp::colour,
+              "Colour of the lamp's light in pictures, by default a warm white; only the hue counts, and the strength "
+              "says how bright it is.")
+          .vector("target", &Lamp::target, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
+                  "Point that the lamp shines at, which makes it a spot; by default, it shines to all sides.")
+          .in_space(InSpace::position)
+          .number("angle", &Lamp::angle, {.unit = Unit::degree, .min = 1, .max = 180, .usual = {10, 120}},
+                  "Opening angle of a spot's cone, whose edge fades; raised, a wider spot of equal brightness.")
+          .number(
+              "radius", &Lamp::radius, {.unit = Unit::metre, .min = 0, .max = 100, .usual = {0.02, 2}},
+              "Radius of the lamp in pictures; raised, its shadows have softer edges; by default, that of a fist. A "
+              "spot is a disc that faces its target.")
+          .only_with("target", {"angle"})
+          .check(check_lamp);
   return table;
 }
 

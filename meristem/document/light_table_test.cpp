@@ -159,6 +159,17 @@ TEST(SceneLight, HasLamps) {
   EXPECT_EQ(scene.light.lamps[1].strength, 1);
 }
 
+TEST(SceneLight, HasColouredSpots) {
+  const Scene scene = read_in(R"({"lamps": [{"position": [0, 3, 0], "colour": "#ff0000", "target": [1, 0, 0],
+                                             "angle": 40, "radius": 0.3}]})")
+                          .scene;
+  const Lamp& lamp = scene.light.lamps.at(0);
+  EXPECT_EQ(lamp.colour, Vec3(1, 0, 0));
+  EXPECT_EQ(lamp.target, Vec3(1, 0, 0));
+  EXPECT_DOUBLE_EQ(lamp.angle, radians(40));
+  EXPECT_EQ(lamp.radius, 0.3);
+}
+
 TEST(SceneLight, IsSetByOverrides) {
   const std::string season = R"({"latitude": 50, "sun": {"days": [90, 270]}, "lamps": [{"position": [0, 1, 0]}]})";
   const Scene scene = read_in(season, {parse_override("scene.sky=0.5"), parse_override("scene.sun.every_days=90"),
@@ -263,7 +274,14 @@ const Rejection kRejections[] = {
     {"LampOfNoStrength", R"({"lamps": [{"position": [0, 1, 0], "strength": 0}]})",
      "48: scene.lamps[0].strength: the value 0 is out of range for 'strength'; expected a number above 0 to 1000000"},
     {"LampsAsObject", R"({"lamps": {"position": [0, 1, 0]}})",
-     "11: scene.lamps: 'lamps' cannot be an object; expected a list of objects with position, strength"},
+     "11: scene.lamps: 'lamps' cannot be an object; expected a list of objects with position, strength, "
+     "colour, target, angle, radius"},
+    {"BlackLamp", R"({"lamps": [{"position": [0, 1, 0], "colour": "#000000"}]})",
+     "46: scene.lamps[0].colour: black light has no hue; expected a colour other than black"},
+    {"SpotOntoItself", R"({"lamps": [{"position": [0, 1, 0], "target": [0, 1, 0]}]})",
+     "46: scene.lamps[0].target: the lamp shines at its own position; expected another point"},
+    {"ConeWithoutTarget", R"({"lamps": [{"position": [0, 1, 0], "angle": 30}]})",
+     "36: scene.lamps[0].angle: 'angle' has no meaning without 'target'; expected 'target' beside it"},
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneLight, RejectedLight, testing::ValuesIn(kRejections),

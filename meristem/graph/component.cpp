@@ -25,9 +25,9 @@ Frame InstanceTransform::frame() const {
 namespace {
 
 /// Names of the rows of ComponentBase that the growth of a component does not read.
-constexpr std::array<std::string_view, 13> kLooks = {
-    "colour", "colours", "colour_at",           "variety",  "texture", "roughness", "translucency", "place", "omit",
-    "only",   "hidden",  "omit_keeps_children", "recursion"};
+constexpr std::array<std::string_view, 14> kLooks = {
+    "colour",  "colours", "colour_at", "variety", "texture", "roughness",           "translucency",
+    "opacity", "place",   "omit",      "only",    "hidden",  "omit_keeps_children", "recursion"};
 
 bool is_among(std::string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
@@ -91,6 +91,10 @@ const ParameterTable& component_base_table() {
                   "Roughness of the surface: 0 is glossy, 1 is matt; by default, the component type's own.")
           .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},
                   "Share of the light that passes through a thin blade; by default, the component type's own.")
+          .number(
+              "opacity", &ComponentBase::opacity, {.min = 0, .max = 1, .fixed = true},
+              "Share of the light that the surface stops, in pictures and glTF; lowered, more of what lies behind is "
+              "seen straight through it, as through glass or a thin petal.")
           .object("place", &ComponentBase::place, transform_table,
                   "Transform of this component's own geometry; its children stay where they are.")
           .object("frame", &ComponentBase::frame, transform_table,
@@ -122,7 +126,7 @@ const ParameterTable& component_base_table() {
 
 const std::vector<std::string>& look_names() {
   static const std::vector<std::string> names = {"colour",    "colours",      "colour_at", "variety", "texture",
-                                                 "roughness", "translucency", "place",     "hidden"};
+                                                 "roughness", "translucency", "opacity",   "place",   "hidden"};
   return names;
 }
 

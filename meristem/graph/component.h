@@ -61,6 +61,7 @@ struct ComponentBase {
   TextureParameters texture;           ///< texture of the geometry; may be empty
   std::optional<double> roughness;     ///< 0 mirror-like to 1 matt; unset: the component type's own
   std::optional<double> translucency;  ///< share of light that passes through; unset: the component type's own
+  double opacity = 1;                  ///< share of light that does not pass straight through; lower: like glass
   InstanceTransform place;             ///< moves this component's geometry only
   InstanceTransform frame;             ///< moves the coordinate system with all descendants
   double phototropism = 0;             ///< share of the turn toward the light; negative: away from the light
@@ -127,6 +128,8 @@ struct ComponentType : ComponentTraits {
   std::function<const SurfaceOptions&(const void* parameters)> surface;
   /// Returns the shape that the uvs of its geometry cover. Null if the uvs cover no particular shape.
   std::function<TextureShape(const void* parameters)> texture_shape;
+  /// Returns true if the surface is a thin sheet, which is visible from both sides. Null: as `material` says.
+  std::function<bool(const void* parameters)> is_sheet;
   /// Lists the components that it places without a link in the document. Null if there are none.
   std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
   /// Returns the names of the values that it gives its descendants (SiteSink::give). Null if it gives none.
@@ -222,6 +225,7 @@ struct ComponentDefinition {
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
   /// Returns the shape that the uvs of its geometry cover, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
+  bool (*is_sheet)(const P& parameters) = nullptr;  ///< see ComponentType
   /// Lists the components that `expand` places with `SiteSink::add_named`, in the order of the numbers used there.
   std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
   /// For components that show another one: returns true if they use the other component's growth through
@@ -250,8 +254,8 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   if (!type.has_geometry) std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
   if (type.is_whole_plant) {
     std::move(definition.parameters)
-        .without({"colour", "colours", "colour_at", "variety", "texture", "roughness", "translucency", "phototropism",
-                  "gravitropism"},
+        .without({"colour", "colours", "colour_at", "variety", "texture", "roughness", "translucency", "opacity",
+                  "phototropism", "gravitropism"},
                  "the plant has the looks and the growth of its own document");
   }
   type.parameters = std::move(definition.parameters);
@@ -308,6 +312,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
     type.minimum_triangles = [triangles = definition.minimum_triangles](const void* parameters,
                                                                         const KnownMembers& known) {
       return triangles(*static_cast<const P*>(parameters), known);
+    };
+  }
+  if (definition.is_sheet != nullptr) {
+    type.is_sheet = [is_sheet = definition.is_sheet](const void* parameters) {
+      return is_sheet(*static_cast<const P*>(parameters));
     };
   }
   if (definition.texture_shape != nullptr) {

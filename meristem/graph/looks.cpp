@@ -69,6 +69,9 @@ Material material_of(const Prototype& prototype) {
   material.colour = mean_colour(base, material.colour);
   material.roughness = static_cast<float>(base.roughness.value_or(material.roughness));
   material.translucency = static_cast<float>(base.translucency.value_or(material.translucency));
+  material.opacity = static_cast<float>(base.opacity);
+  const auto& is_sheet = prototype.type->is_sheet;
+  if (is_sheet && is_sheet(prototype.parameters.get())) material.two_sided = true;
   material.texture = sketch_texture(base.texture, shape_of(prototype), material.colour);
   // If the document gives no colour, a picture keeps its own colours.
   const bool is_tinted = base.colour.has_value() || !base.colours.empty();

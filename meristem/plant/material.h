@@ -15,6 +15,7 @@ struct Material {
   Vec3 colour{0.5F};       ///< mean colour of the surface, sRGB; textures are tinted so that their mean is this colour
   float roughness = 0.8F;  ///< 0 mirror-like, 1 matt
   float translucency = 0;  ///< share of light that passes through a thin blade, 0 for wood
+  float opacity = 1;       ///< share of light that does not pass straight through: 1 solid, lower values like glass
   bool two_sided = false;  ///< true for blades, which are visible from both sides
   std::shared_ptr<const Texture> texture;  ///< null: one colour
 

@@ -66,6 +66,11 @@ struct SurfaceOptions {
   int sides = 8;        ///< sides of the thickest tube; thinner tubes have fewer; larger: rounder, more triangles
   float error = 0.03F;  ///< tolerance of a tube's shape, in radii; larger: fewer rings; 0: one ring per node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
+  float shift_u = 0;    ///< shift of the texture around tubes, tiles
+  float shift_v = 0;    ///< shift of the texture along tubes, tiles
+  /// Turn of the texture on the bark, radians. The nearest angle at which the tiles still join around the stem is used.
+  float turn = 0;
+  bool mirror = false;  ///< true: mirrors the texture around the stem
   /// Radii along the axis, in both directions, over which the radius is smoothed; 0: the skeleton's radii.
   float smooth = 3;
   float collar = 0.8F;     ///< radii over which a branch widens toward its parent; 0: it starts with a crease

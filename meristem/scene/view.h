@@ -17,6 +17,7 @@ struct CameraView {
   double field_of_view = 0.6;      ///< vertical, radians; larger: wider and more perspective
   std::optional<Vec3> background;  ///< sRGB; default: the sky
   std::optional<double> haze;      ///< metres over which haze hides two thirds of the scene; unset: no haze
+  double roll = 0;                 ///< turn of the camera about its line of sight, radians; the picture turns clockwise
   double clouds = 0;               ///< share of the visible sky that clouds cover
 };
 

@@ -131,6 +131,9 @@ and indices.
           "translucency", [](const Material& m) { return m.translucency; },
           "The share of light that passes through a blade.")
       .def_property_readonly(
+          "opacity", [](const Material& m) { return m.opacity; },
+          "The share of light that does not pass straight through: 1 solid, lower like glass.")
+      .def_property_readonly(
           "two_sided", [](const Material& m) { return m.two_sided; },
           "True if the material is visible from both sides, like blades.")
       .def_property_readonly(

@@ -62,11 +62,31 @@ Obstacle obstacle_from(const py::tuple& state) {
       .name = state[5].cast<std::string>()};
 }
 
+py::tuple state_of(const Lamp& lamp) {
+  const auto numbers = [](const std::optional<Vec3>& vector) -> py::object {
+    return vector ? py::object(numbers_of(*vector)) : py::none();
+  };
+  return py::make_tuple(numbers_of(lamp.position), lamp.strength, numbers(lamp.colour), numbers(lamp.target),
+                        lamp.angle, lamp.radius);
+}
+
+Lamp lamp_from(const py::tuple& state) {
+  const auto vector = [](const py::object& numbers) {
+    return numbers.is_none() ? std::nullopt : std::optional<Vec3>(vector_of(numbers));
+  };
+  return {.position = vector_of(state[0]),
+          .strength = state[1].cast<double>(),
+          .colour = vector(state[2]),
+          .target = vector(state[3]),
+          .angle = state[4].cast<double>(),
+          .radius = state[5].cast<std::optional<double>>()};
+}
+
 }  // namespace
 
 py::tuple state_of(const Scene& scene) {
   py::list lamps;
-  for (const Lamp& lamp : scene.light.lamps) lamps.append(py::make_tuple(numbers_of(lamp.position), lamp.strength));
+  for (const Lamp& lamp : scene.light.lamps) lamps.append(state_of(lamp));
   py::list bodies;
   for (const Obstacle& body : scene.obstacles.bodies()) bodies.append(state_of(body));
   return py::make_tuple(
@@ -80,8 +100,7 @@ Scene scene_from(const py::tuple& state) {
   Scene scene;
   scene.light = {.sun = directional_lights_from(state[0]), .sky = directional_lights_from(state[1])};
   for (const py::handle each : state[2]) {
-    const auto lamp = each.cast<py::tuple>();
-    scene.light.lamps.push_back({vector_of(lamp[0]), lamp[1].cast<double>()});
+    scene.light.lamps.push_back(lamp_from(each.cast<py::tuple>()));
   }
   std::vector<Obstacle> bodies;
   for (const py::handle body : state[3]) bodies.push_back(obstacle_from(body.cast<py::tuple>()));

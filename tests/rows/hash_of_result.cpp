@@ -35,7 +35,7 @@ void add(Fingerprint& hash, const Mesh& mesh) {
 
 void add(Fingerprint& hash, const Material& material) {
   add(hash, material.colour);
-  hash.add(material.roughness).add(material.translucency).add(material.two_sided);
+  hash.add(material.roughness).add(material.translucency).add(material.opacity).add(material.two_sided);
   if (material.texture == nullptr) return;
   hash.add(material.texture->masked).add_array(material.texture->colour.rgba);
   hash.add_array(material.texture->normals.rgba);
@@ -51,6 +51,9 @@ void add(Fingerprint& hash, const Scene& scene) {
   for (const Lamp& lamp : scene.light.lamps) {
     add(hash, lamp.position);
     hash.add(lamp.strength);
+    add(hash, lamp.colour);
+    add(hash, lamp.target);
+    hash.add(lamp.angle).add(lamp.radius.value_or(-1));
   }
   hash.add(scene.sun.azimuth).add(scene.sun.altitude);
   hash.add(scene.latitude.value_or(100));
@@ -66,7 +69,7 @@ void add(Fingerprint& hash, const Scene& scene) {
 void add(Fingerprint& hash, const CameraView& view) {
   add(hash, view.position);
   add(hash, view.target);
-  hash.add(view.azimuth).add(view.altitude).add(view.field_of_view);
+  hash.add(view.roll).add(view.azimuth).add(view.altitude).add(view.field_of_view);
   add(hash, view.background);
   hash.add(view.haze.value_or(0)).add(view.clouds);
 }

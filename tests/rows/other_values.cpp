@@ -50,6 +50,7 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
       {"a leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
       {"a leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},
       {"a revolution.silhouette", {"[[0, 0], [0.05, 0.03], [0, 0.1]]"}},
+      {"a surface.turn", {"90"}},
       {"a horn.outline", {"[[-1, -1], [1, -1], [0, 2]]"}},
       {"a simple.outline", {"[[-0.1, -0.1], [0.1, -0.1], [0, 0.2]]", "[[-0.1, 0], [0, 0.05], [0.1, 0]]"}},
   };

@@ -28,6 +28,7 @@ const Record& packet_material() {
           .member("colour", forms::vector(), "Linear factor of the texels of its picture, or of white.")
           .member("roughness", forms::number(), "Roughness, 0 to 1.")
           .member("translucency", forms::number(), "Share of light that passes, 0 to 1.")
+          .member("opacity", forms::number(), "Share of light that does not pass straight through, 0 to 1.")
           .member("two_sided", forms::flag(), "True: both sides are visible.")
           .member("masked", forms::flag(), "True: the material has holes where alpha is below 0.5.")
           .optional("picture", forms::text(), "Key of its picture. Missing: none.")

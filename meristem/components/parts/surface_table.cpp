@@ -78,6 +78,16 @@ const ParameterTable& surface_table() {
           .number("uv_scale", &SurfaceOptions::uv_scale,
                   {.unit = Unit::metre, .min = 0.001, .max = 100, .usual = {0.1, 5}, .fixed = true},
                   "Size of the bark that one tile of the texture covers; raised, larger features.")
+          .number("shift_u", &SurfaceOptions::shift_u, {.min = -1000, .max = 1000, .usual = {0, 1}, .fixed = true},
+                  "Shift of the texture around tubes, in tiles.")
+          .number("shift_v", &SurfaceOptions::shift_v, {.min = -1000, .max = 1000, .usual = {0, 1}, .fixed = true},
+                  "Shift of the texture along tubes, in tiles; raised, the picture moves toward the base.")
+          .number(
+              "turn", &SurfaceOptions::turn,
+              {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}, .fixed = true},
+              "Turn of the texture on tubes, at the nearest angle at which tiles still join around the tube; 90 lays "
+              "a picture on its side.")
+          .boolean("mirror", &SurfaceOptions::mirror, "Whether the texture of tubes is mirrored around them.")
           .number("smooth", &SurfaceOptions::smooth, {.min = 0, .max = 20, .usual = {0, 10}, .fixed = true},
                   "Distance along a stem over which steps of its radius at forks are smoothed, in radii to either "
                   "side; 0 keeps the steps.")
@@ -86,7 +96,8 @@ const ParameterTable& surface_table() {
                   "crease.")
           .number("flare", &SurfaceOptions::flare, {.min = 0, .max = 5, .usual = {0, 2}, .fixed = true},
                   "Widening of the stem at the ground, as a share of its radius; 1 doubles it.")
-          .only_where({{"style", {"tubes"}}}, {"sides", "error", "cap", "uv_scale", "smooth", "collar"})
+          .only_where({{"style", {"tubes"}}},
+                      {"sides", "error", "cap", "uv_scale", "shift_u", "shift_v", "turn", "mirror", "smooth", "collar"})
           .only_where({{"style", {"blend"}}}, {"resolution", "blend", "thicken", "triangles"})
           .only_where({{"style", {"blend"}}, {"crown"}}, {"shading"});
   return table;

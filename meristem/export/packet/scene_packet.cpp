@@ -197,6 +197,7 @@ class PacketMaker::Builder {
                          {"colour", vector_value(material.tint())},
                          {"roughness", short_number(material.roughness)},
                          {"translucency", short_number(material.translucency)},
+                         {"opacity", short_number(material.opacity)},
                          {"two_sided", material.two_sided},
                          {"masked", material.texture != nullptr && material.texture->masked}};
     if (const Texture* texture = material.texture.get(); texture != nullptr && texture->is_painted()) {

@@ -29,6 +29,7 @@ void add(const Image& image, Fingerprint& to) { to.add(image.width).add(image.he
 void add(const Material& material, Fingerprint& to) {
   add(material.colour, to);
   to.add(material.roughness).add(material.translucency).add(material.two_sided).add(material.texture != nullptr);
+  if (material.opacity < 1) to.add_text("opacity").add(material.opacity);
   if (material.texture == nullptr) return;
   add(material.texture->colour, to);
   add(material.texture->normals, to);
@@ -66,11 +67,15 @@ std::string picture_fingerprint(const GrownDocument& grown, const SizeLimits& li
   all.add(view.field_of_view);
   add(view.background, all);
   if (view.haze) all.add_text("haze").add(*view.haze);
+  if (view.roll != 0) all.add_text("roll").add(view.roll);
   if (view.clouds > 0) all.add_text("clouds").add(view.clouds);
   all.add(scene.sun.azimuth).add(scene.sun.altitude);
   for (const Lamp& lamp : scene.light.lamps) {
     add(lamp.position, all);
     all.add(lamp.strength);
+    if (lamp.colour) add(lamp.colour, all.add_text("colour"));
+    if (lamp.target) add(lamp.target, all.add_text("target").add(lamp.angle));
+    if (lamp.radius) all.add_text("radius").add(*lamp.radius);
   }
   add(scene.ground_colour, all);
   const bool shows_obstacles = !still.transparent && has_visible(scene.obstacles);

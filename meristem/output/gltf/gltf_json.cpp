@@ -75,7 +75,7 @@ Json material_json(const GltfLayout& layout, const GltfMaterial& made, const Mat
   const bool has_colours = has_texture && texture->colour != GltfTexture::kNoImage;
 
   Json base = triple(made.base);
-  base.push_back(1);
+  base.push_back(shortest(material.opacity));
   Json surface{{"baseColorFactor", std::move(base)}};
   if (has_colours) surface["baseColorTexture"] = picture(texture->colour);
   surface["metallicFactor"] = 0;
@@ -83,7 +83,9 @@ Json material_json(const GltfLayout& layout, const GltfMaterial& made, const Mat
 
   Json json{{"name", made.name}, {"pbrMetallicRoughness", std::move(surface)}};
   if (has_texture && texture->normals != GltfTexture::kNoImage) json["normalTexture"] = picture(texture->normals);
-  if (has_colours && made.texture->masked) {
+  if (material.opacity < 1) {
+    json["alphaMode"] = "BLEND";
+  } else if (has_colours && made.texture->masked) {
     json["alphaMode"] = "MASK";
     json["alphaCutoff"] = 0.5;
   }

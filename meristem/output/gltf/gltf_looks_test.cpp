@@ -41,6 +41,17 @@ Vec3 vec3(const Json& json) { return {json[0].get<float>(), json[1].get<float>()
 
 Vec3 linear(Bytes4 bytes) { return Vec3(bytes[0], bytes[1], bytes[2]) / 255.0F; }
 
+TEST(GltfLooks, ALowerOpacityIsBlended) {
+  MeshScene scene = textured_scene();
+  EXPECT_FALSE(written_glb(scene).json["materials"][0].contains("alphaMode"));
+  scene.materials[0].opacity = 0.4F;
+  const Glb glb = written_glb(scene);
+  const Json& material = glb.json["materials"][0];
+  EXPECT_EQ(material["alphaMode"], "BLEND");
+  EXPECT_FALSE(material.contains("alphaCutoff"));
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][3], 0.4);
+}
+
 TEST(GltfLooks, PicturesAreTheFilesThatPngWrites) {
   const MeshScene scene = textured_scene();
   const Glb glb = written_glb(scene);

@@ -84,8 +84,8 @@ float shininess(float roughness) { return 1000 * (1 - roughness) * (1 - roughnes
 std::string material_lines(const Material& material, const ColourFactors& factors, const Pictures& pictures,
                            const std::string& name) {
   const Vec3 colour = factors.base;
-  std::string text = fmt::format("\nnewmtl {}\nKd {} {} {}\nNs {:.4g}\nPr {}\nPm 0\nd 1\n", name, colour.r, colour.g,
-                                 colour.b, shininess(material.roughness), material.roughness);
+  std::string text = fmt::format("\nnewmtl {}\nKd {} {} {}\nNs {:.4g}\nPr {}\nPm 0\nd {}\n", name, colour.r, colour.g,
+                                 colour.b, shininess(material.roughness), material.roughness, material.opacity);
   if (!pictures.colour.empty()) text += fmt::format("map_Kd {}\n", name_in(pictures.colour));
   if (!pictures.mask.empty()) text += fmt::format("map_d {}\n", name_in(pictures.mask));
   // Blender reads the normal map from `map_Bump`, and three.js from `norm`.

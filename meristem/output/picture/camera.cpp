@@ -74,13 +74,29 @@ Reach reach_of(const MeshScene& scene, const std::array<Vec3, 4>& directions) {
   return all;
 }
 
+/// The directions along which x and y of the film rise.
+struct FilmAxes {
+  Vec3 right, up;
+};
+
+/// Returns the axes of a camera that looks along the heading of `frame`, turned by `roll` radians.
+FilmAxes film_axes(const Frame& frame, double roll) {
+  const Vec3 up = frame.upper();
+  const Vec3 right = glm::cross(frame.heading(), up);
+  if (roll == 0) return {right, up};
+  const auto cosine = static_cast<float>(math::cos(roll));
+  const auto sine = static_cast<float>(math::sin(roll));
+  return {cosine * right + sine * up, cosine * up - sine * right};
+}
+
 }  // namespace
 
-Camera::Camera(Vec3 position, Vec3 target, double field_of_view, double aspect) : position_(position) {
+Camera::Camera(Vec3 position, Vec3 target, double field_of_view, double aspect, double roll) : position_(position) {
   const Frame frame = frame_along(position, normalized_or(target - position, Vec3(0, 0, -1)), kUp);
   forward_ = frame.heading();
-  up_ = frame.upper();
-  right_ = glm::cross(forward_, up_);
+  const FilmAxes axes = film_axes(frame, roll);
+  right_ = axes.right;
+  up_ = axes.up;
   half_height_ = static_cast<float>(math::tan(field_of_view / 2));
   half_width_ = static_cast<float>(half_height_ * aspect);
 }
@@ -97,17 +113,16 @@ std::optional<Vec2> Camera::project(Vec3 point) const {
 }
 
 Camera place_camera(const MeshScene& scene, const CameraView& view, double aspect) {
-  if (view.position && view.target) return {*view.position, *view.target, view.field_of_view, aspect};
+  if (view.position && view.target) return {*view.position, *view.target, view.field_of_view, aspect, view.roll};
   if (view.position) {
     const Box box = scene.bounds();
-    return {*view.position, box.is_empty() ? Vec3(0) : box.centre(), view.field_of_view, aspect};
+    return {*view.position, box.is_empty() ? Vec3(0) : box.centre(), view.field_of_view, aspect, view.roll};
   }
 
   // The camera's directions, and the outward normals of the four planes that bound the plant.
   const Vec3 backward = unit_vector({view.azimuth, view.altitude});
   const Frame frame = frame_along(Vec3(0), -backward, kUp);
-  const Vec3 up = frame.upper();
-  const Vec3 right = glm::cross(frame.heading(), up);
+  const auto [right, up] = film_axes(frame, view.roll);
   const double half_height = math::tan(view.field_of_view / 2) * (1 - kMargin);
   const auto x_slope = static_cast<float>(half_height * aspect);
   const auto y_slope = static_cast<float>(half_height);
@@ -122,14 +137,14 @@ Camera place_camera(const MeshScene& scene, const CameraView& view, double aspec
       const float slope = i < 2 ? x_slope : y_slope;
       distance = std::max(distance, (reach.along[i] - glm::dot(normals[i], *view.target)) / slope);
     }
-    return {*view.target + distance * backward, *view.target, view.field_of_view, aspect};
+    return {*view.target + distance * backward, *view.target, view.field_of_view, aspect, view.roll};
   }
 
   // Without a target, stand where opposite planes both touch the plant, as far back as the wider direction needs.
   const auto [to_right, to_left, to_top, to_bottom] = reach.along;
   const float back = std::max((to_right + to_left) / (2 * x_slope), (to_top + to_bottom) / (2 * y_slope));
   const Vec3 position = 0.5F * (to_right - to_left) * right + 0.5F * (to_top - to_bottom) * up + back * backward;
-  return {position, position - backward, view.field_of_view, aspect};
+  return {position, position - backward, view.field_of_view, aspect, view.roll};
 }
 
 CameraView placed_view(const MeshScene& scene, CameraView view, double aspect) {

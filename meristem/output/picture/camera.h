@@ -11,8 +11,8 @@ namespace meristem {
 class Camera {
  public:
   /// Looks from `position` to `target`. `aspect` is width divided by height, and `field_of_view` is the vertical angle
-  /// in radians.
-  Camera(Vec3 position, Vec3 target, double field_of_view, double aspect);
+  /// and `roll` the turn about the line of sight, both in radians. A positive roll turns the picture clockwise.
+  Camera(Vec3 position, Vec3 target, double field_of_view, double aspect, double roll = 0);
 
   Vec3 position() const { return position_; }  ///< position in the world, metres
   Vec3 forward() const { return forward_; }    ///< unit vector of the viewing direction

@@ -117,4 +117,22 @@ TEST(Camera, FindsAPlaceForAnEmptyScene) {
   EXPECT_NEAR(glm::length(*camera.project(Vec3(0))), 0, 0.2);
 }
 
+TEST(Camera, RollTurnsThePictureClockwise) {
+  const Camera level({0, 0, 5}, {0, 0, 0}, 0.7, 1);
+  const Camera rolled({0, 0, 5}, {0, 0, 0}, 0.7, 1, kPi / 2);
+  const Vec2 top = *level.project({0, 1, 0});
+  EXPECT_NEAR(rolled.project({0, 1, 0})->x, top.y, 1e-5) << "what was above is to the right";
+  EXPECT_NEAR(rolled.project({0, 1, 0})->y, 0, 1e-5);
+  EXPECT_EQ(rolled.forward(), level.forward());
+}
+
+TEST(Camera, ARolledCameraFramesEverythingTightly) {
+  const MeshScene scene = specks(300, {0.5F, 10, 0.5F});
+  for (const double roll : {0.4, 1.5, -2.0}) {
+    CameraView view;
+    view.roll = roll;
+    EXPECT_NEAR(farthest_from_middle(scene, place_camera(scene, view, 1.5)), 0.93, 0.02) << roll;
+  }
+}
+
 }  // namespace meristem::camera_test

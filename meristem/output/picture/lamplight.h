@@ -8,8 +8,8 @@
 
 namespace meristem {
 
-/// The lamps of a scene in pictures: warm white spheres the size of a fist. A surface that faces a lamp a metre away
-/// receives the lamp's strength times the light of the clear midday sun.
+/// The lamps of a scene in pictures: warm white spheres the size of a fist, or of their own colour and size. A surface
+/// that faces a lamp a metre away receives the lamp's strength times the light of the clear midday sun.
 class Lamplight {
  public:
   /// Light from a lamp to a position, without obstacles.
@@ -26,7 +26,8 @@ class Lamplight {
   Vec3 irradiance(Vec3 position) const;
 
   /// Calls `visit(Ray)` for each of one or two lamps. With more lamps, draws one in proportion to its light and visits
-  /// it with the light of all. Lamps that are nearer than `nearest` metres count as if they were at this distance.
+  /// it with a light whose mean is that of all. Lamps that are nearer than `nearest` metres count as if they were at
+  /// this distance.
   template <class Visit>
   void for_each_ray(Vec3 position, float nearest, SampleStream& samples, Visit visit) const {
     if (lamps_.size() > 2) return visit(drawn_ray(position, nearest, samples));
@@ -34,6 +35,7 @@ class Lamplight {
   }
 
  private:
+  static Vec3 irradiance_at_one(const Lamp& lamp);
   static Ray ray_to(const Lamp& lamp, Vec3 position, float nearest, Vec2 sample);
   Ray drawn_ray(Vec3 position, float nearest, SampleStream& samples) const;
 

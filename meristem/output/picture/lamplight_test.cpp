@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/picture/lamplight.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "meristem/base/colour.h"
@@ -59,6 +61,47 @@ TEST(Lamplight, IsBoundedNearTheLamp) {
   EXPECT_NEAR(lamps.irradiance({0, 1, 0}).g, at_10_cm, 1e-3);
   const float as_from_half_a_metre = lamps.irradiance({0, 0.5F, 0}).g;
   EXPECT_NEAR(mean_irradiance(lamps, {0, 0.8F, 0}, 0.5F).g, as_from_half_a_metre, 1e-4 * as_from_half_a_metre);
+}
+
+TEST(Lamplight, HasTheHueOfItsColourWhateverItsBrightness) {
+  const Lamplight dark({{.position = {0, 1, 0}, .colour = Vec3(0.1F, 0.2F, 0.4F)}});
+  const Lamplight bright(
+      {{.position = {0, 1, 0}, .colour = srgb_from_linear(4.0F * linear_from_srgb({0.1F, 0.2F, 0.4F}))}});
+  const Vec3 light = dark.irradiance(Vec3(0));
+  EXPECT_LT(glm::distance(light, bright.irradiance(Vec3(0))), 1e-3F * glm::length(light));
+  EXPECT_GT(light.b, 3 * light.g);
+  const Vec3 warm = Lamplight({{.position = {0, 1, 0}}}).irradiance(Vec3(0));
+  EXPECT_NEAR(light.r + light.g + light.b, warm.r + warm.g + warm.b, 0.01) << "as much light as the usual lamp";
+}
+
+TEST(Lamplight, OfASpotStaysInItsCone) {
+  const Lamplight lamps({{.position = {0, 1, 0}, .target = Vec3(0), .angle = kPi / 2}});
+  const Lamplight all_round({{.position = {0, 1, 0}}});
+  EXPECT_EQ(lamps.irradiance({0.5F, 0, 0}), all_round.irradiance({0.5F, 0, 0})) << "27° off the axis";
+  EXPECT_EQ(lamps.irradiance({1.2F, 0, 0}), Vec3(0)) << "50° off the axis";
+  EXPECT_EQ(lamps.irradiance({0, 2, 0}), Vec3(0)) << "behind the lamp";
+}
+
+TEST(Lamplight, OfManySpotsIsDrawnFromThoseThatShineHere) {
+  std::vector<Lamp> lamps(4, Lamp{.position = {0, 1, 0}, .target = Vec3(0, 2, 0)});
+  lamps.insert(lamps.begin() + 1, Lamp{.position = {0, 1, 0}, .target = Vec3(0)});
+  const Lamplight light(lamps);
+  EXPECT_NEAR(mean_irradiance(light, Vec3(0)).g, Lamplight({{.position = {0, 1, 0}}}).irradiance(Vec3(0)).g, 1e-3);
+  EXPECT_EQ(mean_irradiance(Lamplight(std::vector<Lamp>(3, lamps[0])), Vec3(0)), Vec3(0));
+}
+
+TEST(Lamplight, ComesFromAllPointsOfALargeLamp) {
+  const Lamplight lamps({{.position = {0, 2, 0}, .target = Vec3(0), .angle = kPi, .radius = 0.5}});
+  float farthest = 0;
+  for (std::uint32_t s = 0; s < kSamples; ++s) {
+    SampleStream samples(3, s, kSamples);
+    lamps.for_each_ray(Vec3(0), 0, samples, [&](const Lamplight::Ray& ray) {
+      const Vec3 point = ray.distance * ray.toward;
+      EXPECT_NEAR(point.y, 2, 1e-4) << "a disc that faces its target";
+      farthest = std::max(farthest, glm::length(Vec2(point.x, point.z)));
+    });
+  }
+  EXPECT_NEAR(farthest, 0.5, 0.01);
 }
 
 }  // namespace meristem::lamplight_test

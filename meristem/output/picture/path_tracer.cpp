@@ -21,6 +21,7 @@ constexpr float kKeenness = 2.5F;
 // Minimum distance of lamps after a bounce, metres. Without it, a few paths would find the bright spot around a lamp on
 // its support and cause specks.
 constexpr float kNearestByBounce = 1;
+constexpr int kMaxPasses = 64;  // surfaces that one ray passes through
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Returns the colour of light that shines through a thin blade: yellower than the blade, as green absorbs twice.
@@ -55,8 +56,10 @@ PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight l
   for (const MeshInstances& part : meshes.meshes) {
     const Material& material = meshes.materials[part.material];
     const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
-    Look look{material.tint(), std::clamp(material.translucency, 0.0F, 1.0F), roughness * roughness, material.two_sided,
-              nullptr};
+    Look look{material.tint(),       std::clamp(material.translucency, 0.0F, 1.0F),
+              roughness * roughness, std::clamp(material.opacity, 0.0F, 1.0F),
+              material.two_sided,    nullptr};
+    has_glass_ = has_glass_ || look.opacity < 1;
     if (const Texture* texture = material.texture.get(); texture != nullptr && !texture->colour.is_empty()) {
       look.texture = &textures_.try_emplace(texture, *texture).first->second;
     }
@@ -89,6 +92,9 @@ PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit)
   const bool is_front = glm::dot(point.face_normal, ray.direction) <= 0;
   vertex.face_normal = is_front ? point.face_normal : -point.face_normal;
   const bool is_behind = glm::dot(point.normal, vertex.face_normal) < 0;
+  // On solid bodies, the smooth normal decides which side is lit. Whole triangles would show as steps at the shadow's
+  // edge. Shadow rays still find the body itself.
+  vertex.facing = is_front && !look.is_thin && !is_behind ? point.normal : vertex.face_normal;
   Vec3 colour = look.tint * rays_.tint(hit);
   if (look.texture != nullptr) colour *= textured(look, hit, ray, point);
   colour = glm::clamp(colour, Vec3(0), Vec3(1));
@@ -113,6 +119,7 @@ PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) con
   vertex.lifted = vertex.position;
   vertex.face_normal = kUp;
   vertex.normal = kUp;
+  vertex.facing = kUp;
   vertex.reflected = ground_->colour;
   vertex.transmitted = Vec3(0);
   vertex.gloss_width = 0;
@@ -124,8 +131,20 @@ PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) con
   return vertex;
 }
 
-std::optional<PathTracer::Vertex> PathTracer::next_vertex(const Ray& ray) const {
-  const std::optional<RayHit> hit = rays_.first_hit(ray);
+std::optional<PathTracer::Vertex> PathTracer::next_vertex(const Ray& ray, SampleStream& samples) const {
+  std::optional<RayHit> hit = rays_.first_hit(ray);
+  // Let a share of the rays pass through glass and thin petals.
+  Ray onward = ray;
+  float passed = 0;
+  for (int k = 0; hit && k < kMaxPasses && looks_[hit->part].opacity < 1; ++k) {
+    if (samples.next().x < looks_[hit->part].opacity) break;
+    const Vec3 position = onward.origin + hit->distance * onward.direction;
+    const float step = hit->distance + RayScene::clearance(position);
+    onward.origin += step * onward.direction;
+    passed += step;
+    hit = rays_.first_hit(onward);
+  }
+  if (hit) hit->distance += passed;
   if (ground_ && ray.direction.y < 0 && ray.origin.y > ground_->height) {
     const float distance = (ground_->height - ray.origin.y) / ray.direction.y;
     if (!hit || distance < hit->distance) return ground_vertex(ray, distance);
@@ -150,25 +169,43 @@ Vec3 PathTracer::lamplight(const Vertex& vertex, Vec3 to_viewer, bool is_seen, S
 
 /// Returns the share of the light from a direction and distance that reaches the viewer.
 Vec3 PathTracer::share_seen(const Vertex& vertex, Vec3 to_viewer, Vec3 to_light, float distance) const {
-  const bool shines_through = glm::dot(to_light, vertex.face_normal) < 0;
+  const bool shines_through = glm::dot(to_light, vertex.facing) < 0;
   const float cosine = glm::dot(to_light, vertex.normal) * (shines_through ? -1.0F : 1.0F);
   const Vec3 share = shines_through ? vertex.transmitted : vertex.reflected;
   if (cosine <= 0 || share == Vec3(0)) return Vec3(0);
   const Vec3 side = shines_through ? -vertex.face_normal : vertex.face_normal;
   const Ray shadow{vertex.lifted + RayScene::clearance(vertex.position) * side, to_light};
-  if (rays_.is_blocked(shadow, distance)) return Vec3(0);
+  const float clear = clearness(shadow, distance);
+  if (clear == 0) return Vec3(0);
   Vec3 given = share * (cosine / kPiF);
   if (!shines_through && vertex.gloss_width > 0) {
     given += Vec3(gloss(vertex.normal, to_light, to_viewer, vertex.gloss_width));
   }
-  return given;
+  return clear * given;
+}
+
+/// Returns the share of light that passes along a ray, up to a distance.
+float PathTracer::clearness(Ray ray, float distance) const {
+  if (!has_glass_) return rays_.is_blocked(ray, distance) ? 0 : 1;
+  float clear = 1;
+  for (int k = 0; k < kMaxPasses; ++k) {
+    const std::optional<RayHit> hit = rays_.first_hit(ray);
+    if (!hit || hit->distance > distance) return clear;
+    clear *= 1 - looks_[hit->part].opacity;
+    if (clear == 0) return 0;
+    const Vec3 position = ray.origin + hit->distance * ray.direction;
+    const float step = hit->distance + RayScene::clearance(position);
+    ray.origin += step * ray.direction;
+    distance -= step;
+  }
+  return 0;
 }
 
 Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
   Seen seen;
   Vec3 weight(1);
   for (int bounce = 0;; ++bounce) {
-    std::optional<Vertex> vertex = next_vertex(ray);
+    std::optional<Vertex> vertex = next_vertex(ray, samples);
     if (!vertex) {
       if (bounce > 0) seen.indirect += weight * light_.falling(ray.direction);
       return seen;

@@ -61,6 +61,7 @@ class PathTracer {
     Vec3 tint;          ///< linear factor on the texture's colour, or the colour itself
     float through;      ///< share of the light that passes to the other side
     float gloss_width;  ///< alpha of the microfacet distribution
+    float opacity;      ///< share of the rays that the surface stops
     bool is_thin;
     const TextureSampler* texture;  ///< null for a single colour
   };
@@ -69,6 +70,7 @@ class PathTracer {
     Vec3 lifted;       ///< start of shadow rays
     Vec3 face_normal;  ///< normal on the side from which the ray came
     Vec3 normal;
+    Vec3 facing;  ///< normal that decides which side the light is on
     Vec3 reflected;
     Vec3 transmitted;
     float gloss_width;  ///< 0 for no gloss
@@ -76,7 +78,8 @@ class PathTracer {
     Sight sight;
   };
 
-  std::optional<Vertex> next_vertex(const Ray& ray) const;
+  std::optional<Vertex> next_vertex(const Ray& ray, SampleStream& samples) const;
+  float clearness(Ray ray, float distance) const;
   Vec3 textured(const Look& look, const RayHit& hit, const Ray& ray, SurfacePoint& point) const;
   Vertex surface_vertex(const Ray& ray, const RayHit& hit) const;
   Vertex ground_vertex(const Ray& ray, float distance) const;
@@ -90,6 +93,7 @@ class PathTracer {
   Lamplight lamps_;
   Air air_;
   std::vector<Look> looks_;  ///< one per part of the scene
+  bool has_glass_ = false;   ///< true if rays pass through some surface
   std::map<const Texture*, TextureSampler> textures_;
 };
 

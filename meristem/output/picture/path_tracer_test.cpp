@@ -210,6 +210,89 @@ TEST(PathTracer, ManyLampsLightAsMuchAsOneInTheirPlace) {
   EXPECT_NEAR(five.light.g, one.light.g, 0.01 * one.light.g);
 }
 
+/// Returns a ball of radius 1 of few triangles, with smooth normals.
+MeshScene smooth_ball(Material material, int around) {
+  Mesh mesh;
+  for (int row = 0; row <= around / 2; ++row) {
+    for (int k = 0; k <= around; ++k) {
+      const double polar = kPi * row / (around / 2), azimuth = 2 * kPi * k / around;
+      mesh.positions.emplace_back(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                                  std::sin(polar) * std::cos(azimuth));
+    }
+  }
+  mesh.normals = mesh.positions;
+  const auto stride = static_cast<std::uint32_t>(around + 1);
+  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(around / 2); ++row) {
+    for (std::uint32_t k = 0; k + 1 < stride; ++k) {
+      const std::uint32_t a = row * stride + k, b = a + stride;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  MeshScene scene = level_square(std::move(material));
+  scene.meshes[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return scene;
+}
+
+// A triangle that faces away from a lamp is lit where the smooth ball would be.
+TEST(PathTracer, TheShadowEdgeOfASmoothBallHasNoSteps) {
+  Material matt = white();
+  matt.roughness = 1;
+  const MeshScene ball = smooth_ball(matt, 24);
+  // The shadow's edge is at an azimuth of 11°. The faces around it, from 0° to 15°, face away from the lamp.
+  const auto edge = static_cast<float>(radians(11));
+  const Vec3 to_lamp(std::cos(edge), 0, -std::sin(edge));
+  const Lamplight lamps({{.position = 1000.0F * to_lamp, .strength = 1e6}});
+  const Daylight dark = uniform_light(Vec3(0));
+  Progress progress;
+  const RayScene rays(ball, progress);
+  int checked = 0;
+  for (int k = 0; k < 40; ++k) {
+    const double azimuth = radians(11.5 + 3 * k / 40.0);
+    const double height = 0.13 * (k % 5);
+    const Ray ray{{std::sqrt(1 - height * height) * std::sin(azimuth), height, 3}, {0, 0, -1}};
+    const std::optional<RayHit> hit = rays.first_hit(ray);
+    ASSERT_TRUE(hit);
+    const SurfacePoint point = rays.surface_point(*hit);
+    const float cosine = glm::dot(point.normal, to_lamp);
+    if (glm::dot(point.face_normal, to_lamp) > 0 || cosine < 0.005F) continue;
+    ++checked;
+    const float expected = cosine * lamps.irradiance(Vec3(0)).g / static_cast<float>(kPi);
+    EXPECT_GE(mean_seen(ball, dark, std::nullopt, ray, lamps).light.g, 0.7F * expected) << degrees(azimuth);
+  }
+  EXPECT_GT(checked, 20);
+}
+
+TEST(PathTracer, ALowerOpacityShowsWhatLiesBehind) {
+  Material glass = white();
+  glass.opacity = 0.25F;
+  MeshScene scene = level_square(glass);
+  const MeanSeen alone = mean_seen(scene, uniform_light(Vec3(1)), std::nullopt, kFromAbove);
+  EXPECT_NEAR(alone.cover, 0.25, 0.02);
+  Ground ground;
+  ground.colour = Vec3(0.04F);
+  ground.height = -1;
+  const MeanSeen over = mean_seen(scene, uniform_light(Vec3(1)), ground, kFromAbove);
+  EXPECT_NEAR(over.cover, 1, 0.02);
+  EXPECT_NEAR(over.light.g, 0.25 + 0.75 * 0.04, 0.03);
+}
+
+TEST(PathTracer, TheShadowOfGlassIsAsFaintAsTheGlass) {
+  MeshScene scene = level_square(white());
+  scene.meshes[0].frames[0].origin.y = 1;
+  Ground ground;
+  ground.colour = Vec3(0.5F);
+  const Ray onto_ground{{0, 0.5F, 0}, {0, -1, 0}};
+  const auto brightness = [&](float opacity) {
+    scene.materials[0].opacity = opacity;
+    return mean_seen(scene, uniform_light(Vec3(0)), ground, onto_ground, Lamplight({{.position = {0, 2, 0}}})).light.g;
+  };
+  const float open = brightness(0);
+  EXPECT_GT(open, 0.05F);
+  EXPECT_NEAR(brightness(0.4F) / open, 0.6, 0.1);
+  EXPECT_LT(brightness(1) / open, 0.05F);
+}
+
 TEST(PathTracer, AThinBladeShinesThroughAndWoodDoesNot) {
   Material leaf = white();
   leaf.colour = Vec3(0.6F);

@@ -97,7 +97,7 @@ void check_skeleton(const Skeleton& skeleton, std::string_view component) {
 
 void require_finite(const MeshScene& scene) {
   for (const Material& material : scene.materials) {
-    if (!is_finite(material.colour) || !std::isfinite(material.roughness + material.translucency)) {
+    if (!is_finite(material.colour) || !std::isfinite(material.roughness + material.translucency + material.opacity)) {
       fail(material.name, "a number of the material");
     }
   }

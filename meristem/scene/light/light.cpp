@@ -14,7 +14,14 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNearest = 0.1;  // metres; the light of a lamp does not increase at smaller distances
+constexpr double kNearest = 0.1;      // metres; the light of a lamp does not increase at smaller distances
+constexpr double kFadingShare = 0.1;  // share of a cone's angle over which its edge fades
+
+/// Returns the unit vector along `vector`, or down for a vector without length.
+DVec3 unit_or_down(DVec3 vector) {
+  const double length = std::sqrt(squared_length(vector));
+  return length > 0 ? vector / length : DVec3(0, -1, 0);
+}
 
 }  // namespace
 
@@ -25,13 +32,23 @@ Vec3 Light::mean_direction() const {
   return normalized_or(Vec3(sum), kUp);
 }
 
+double Lamp::share_toward(Vec3 point) const {
+  if (!target) return 1;
+  const double cosine =
+      glm::dot(unit_or_down(DVec3(*target) - DVec3(position)), unit_or_down(DVec3(point) - DVec3(position)));
+  const double edge = math::cos(angle / 2);
+  const double full = math::cos((1 - kFadingShare) * angle / 2);
+  const double share = std::clamp((cosine - edge) / (full - edge), 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
 LightRay Light::ray_to(const Lamp& lamp, Vec3 point) {
   const DVec3 way = DVec3(lamp.position) - DVec3(point);
   const double distance = std::sqrt(squared_length(way));
   const double near = std::max(distance, kNearest);
   return {.toward = distance > 0 ? Vec3(way / distance) : kUp,
           .distance = distance,
-          .strength = lamp.strength / (near * near)};
+          .strength = lamp.strength * lamp.share_toward(point) / (near * near)};
 }
 
 std::vector<DirectionalLight> sun_of_day(double latitude, double day, double every_hours) {

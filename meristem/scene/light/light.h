@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "meristem/base/vec.h"
@@ -18,11 +19,18 @@ struct DirectionalLight {
   double strength = 1;  ///< share of all directional light
 };
 
-/// A lamp at a position that shines in all directions.
+/// A lamp at a position. It shines in all directions, or as a spot into a cone.
 struct Lamp {
   Vec3 position{0};  ///< metres
   /// Strength at one metre, relative to all directional light; falls with the square of the distance.
   double strength = 1;
+  std::optional<Vec3> colour = std::nullopt;    ///< sRGB, in pictures; its brightness has no effect; unset: warm white
+  std::optional<Vec3> target = std::nullopt;    ///< point on the axis of the cone, metres; unset: all directions
+  double angle = kPi / 3;                       ///< opening angle of the cone, radians; its edge fades over a tenth
+  std::optional<double> radius = std::nullopt;  ///< metres, in pictures; larger: softer shadows; unset: a fist
+
+  /// Returns the share of `strength` that shines toward `point`: 1 inside the cone, 0 outside.
+  double share_toward(Vec3 point) const;
 };
 
 /// The light that reaches one position from one source.

@@ -97,6 +97,18 @@ TEST(Lamp, FallsWithTheSquareOfTheDistance) {
   EXPECT_DOUBLE_EQ(Light::ray_to(lamp, {1, 2, 2.95F}).strength, 50);
 }
 
+TEST(Lamp, OfASpotShinesIntoItsConeOnly) {
+  const Lamp spot{.position = {0, 4, 0}, .strength = 2, .target = Vec3(0), .angle = radians(60)};
+  EXPECT_DOUBLE_EQ(Light::ray_to(spot, Vec3(0)).strength, 2.0 / 16);
+  const auto share_at = [&](double degrees_off) {
+    return spot.share_toward({4 * std::tan(radians(degrees_off)), 0, 0});
+  };
+  EXPECT_EQ(share_at(26), 1);
+  EXPECT_NEAR(share_at(28.5), 0.5, 0.02) << "in the middle of the edge";
+  EXPECT_EQ(share_at(30.1), 0);
+  EXPECT_EQ(spot.share_toward({0, 5, 0}), 0);
+}
+
 TEST(Light, VisitsSunSkyAndLamps) {
   Light light;
   light.sky = even_sky(0.5);

@@ -79,7 +79,11 @@ SceneKeys SceneKeyMaker::keys_of(const MeshScene& scene) {
   SceneKeys keys;
   for (const Material& material : scene.materials) {
     Fingerprint fingerprint;
-    fingerprint.add_text(material.name).add(material.roughness).add(material.translucency).add(material.two_sided);
+    fingerprint.add_text(material.name)
+        .add(material.roughness)
+        .add(material.translucency)
+        .add(material.opacity)
+        .add(material.two_sided);
     add(material.colour, fingerprint);
     keys.materials.push_back(fingerprint.add(key_of(material.texture)).hash());
   }

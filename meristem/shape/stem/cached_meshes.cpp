@@ -49,11 +49,21 @@ void add_skeleton(const Stem& stem, Fingerprint& to) {
 }
 
 void add_surface(const SurfaceOptions& surface, Fingerprint& to) {
-  const auto& [style, shading, crown, sides, error, uv_scale, smooth, collar, flare, cap, resolution, blend, thicken,
-               triangles] = surface;
+  const auto& [style, shading, crown, sides, error, uv_scale, shift_u, shift_v, turn, mirror, smooth, collar, flare,
+               cap, resolution, blend, thicken, triangles] = surface;
   to.add(style).add(shading).add(crown.has_value());
   if (crown) add_crown(*crown, to);
-  to.add(sides).add(error).add(uv_scale).add(smooth).add(collar).add(flare).add(cap);
+  to.add(sides)
+      .add(error)
+      .add(uv_scale)
+      .add(shift_u)
+      .add(shift_v)
+      .add(turn)
+      .add(mirror)
+      .add(smooth)
+      .add(collar)
+      .add(flare)
+      .add(cap);
   to.add(resolution).add(blend).add(thicken);
   add_optional(triangles, to);
 }

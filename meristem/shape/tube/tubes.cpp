@@ -144,6 +144,7 @@ class AxisMesher {
     } else {
       joint = finish_in_successor(before);
     }
+    place_texture();
     assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
     assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral()));
     return joint;
@@ -467,6 +468,22 @@ class AxisMesher {
     next_vertex_ += plan_.sides + 1;
     x_ -= 2 * glm::dot(x_, mitre.across) * mitre.across;
     x_ = glm::normalize(x_ - glm::dot(x_, mitre.after) * mitre.after);
+  }
+
+  /// Turns, mirrors and shifts the texture coordinates of the axis. The turn is the nearest one at which a whole number
+  /// of tiles lies around the tube in both directions of the texture, so that its edges join.
+  void place_texture() {
+    if (surface_.turn == 0 && surface_.shift_u == 0 && surface_.shift_v == 0 && !surface_.mirror) return;
+    const double length = tiles_;
+    const Vec2 around(std::round(length * math::cos(surface_.turn)), std::round(length * math::sin(surface_.turn)));
+    const Vec2 along_u = around == Vec2(0) ? Vec2(1, 0) : around / tiles_;
+    const Vec2 along_v(-along_u.y, along_u.x);
+    const float side = surface_.mirror ? -1.0F : 1.0F;
+    const Vec2 shift(surface_.shift_u, surface_.shift_v);
+    for (std::uint32_t k = static_cast<std::uint32_t>(plan_.first_vertex); k < next_vertex_; ++k) {
+      const Vec2 uv = mesh_.uvs[k];
+      mesh_.uvs[k] = side * uv.x * along_u + uv.y * along_v + shift;
+    }
   }
 
   /// Joins the last two rings.

@@ -477,4 +477,54 @@ TEST(Tubes, RejectASurfaceWithoutATileSize) {
   EXPECT_THROW(make_tubes(fork(30, 0.1F, 0.1F), {.uv_scale = 0}, progress), std::invalid_argument);
 }
 
+Mesh textured_tube(const SurfaceOptions& surface) {
+  Progress progress;
+  return make_tubes(polyline({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {0.3F}), surface, progress);
+}
+
+TEST(TubeTexture, IsShiftedAndMirrored) {
+  SurfaceOptions surface;
+  surface.uv_scale = 0.5F;
+  const Mesh plain = textured_tube(surface);
+  surface.shift_u = 0.25F;
+  surface.shift_v = -2;
+  const Mesh shifted = textured_tube(surface);
+  surface.mirror = true;
+  const Mesh mirrored = textured_tube(surface);
+  ASSERT_EQ(plain.uvs.size(), shifted.uvs.size());
+  for (std::size_t k = 0; k < plain.uvs.size(); ++k) {
+    EXPECT_LT(glm::distance(shifted.uvs[k], plain.uvs[k] + Vec2(0.25F, -2)), 1e-5F);
+    EXPECT_LT(glm::distance(mirrored.uvs[k], Vec2(-1, 1) * plain.uvs[k] + Vec2(0.25F, -2)), 1e-5F);
+  }
+  EXPECT_EQ(plain.positions, shifted.positions);
+}
+
+// The first and the last vertex of each ring lie at one position, so their uvs must differ by whole tiles.
+TEST(TubeTexture, JoinsAroundTheTubeAtEveryTurn) {
+  SurfaceOptions surface;
+  surface.uv_scale = 0.4F;
+  constexpr float kTiles = 5;  // around the tube
+  const Mesh plain = textured_tube(surface);
+  for (const double turn : {17.0, 45.0, 90.0, 200.0, -60.0}) {
+    surface.turn = static_cast<float>(radians(turn));
+    const Mesh turned = textured_tube(surface);
+    int seams = 0;
+    for (std::size_t a = 0; a < plain.uvs.size(); ++a) {
+      for (std::size_t b = a + 1; b < plain.uvs.size(); ++b) {
+        if (plain.positions[a] != plain.positions[b] || plain.normals[a] != plain.normals[b]) continue;
+        if (plain.uvs[a].y != plain.uvs[b].y || std::abs(plain.uvs[b].x - plain.uvs[a].x - kTiles) > 1e-4F) continue;
+        ++seams;
+        const Vec2 step = turned.uvs[b] - turned.uvs[a];
+        EXPECT_LT(glm::distance(step, glm::round(step)), 1e-4F) << turn;
+      }
+    }
+    EXPECT_GT(seams, 1);
+  }
+  surface.turn = static_cast<float>(kPi / 2);
+  const Mesh on_its_side = textured_tube(surface);
+  for (std::size_t k = 0; k < plain.uvs.size(); ++k) {
+    EXPECT_LT(glm::distance(on_its_side.uvs[k], Vec2(-plain.uvs[k].y, plain.uvs[k].x)), 1e-4F);
+  }
+}
+
 }  // namespace meristem::tubes_test

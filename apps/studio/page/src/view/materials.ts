@@ -127,12 +127,15 @@ export class Materials {
       vertexShader: kPlantVertex,
       fragmentShader: kPlantFragment,
       defines,
+      transparent: said.opacity < 1,
+      depthWrite: said.opacity === 1,
       side: three.DoubleSide, // frames may be mirrored, which reverses the winding
       uniforms: {
         ...this.light_,
         ...placing_uniforms(),
         colour: { value: new three.Color(...said.colour) },
         translucency: { value: said.translucency },
+        opacity: { value: said.opacity },
         gloss: { value: 0.12 * (1 - said.roughness) ** 2 },
         emphasis: { value: is_emphasised ? 1 : 0 },
         tint_scale: { value: tint_scale },
@@ -150,6 +153,7 @@ const kPlain: PacketMaterial = {
   colour: [0.5, 0.5, 0.5],
   roughness: 1,
   translucency: 0,
+  opacity: 1,
   two_sided: true,
   masked: false,
 };

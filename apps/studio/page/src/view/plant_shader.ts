@@ -48,6 +48,7 @@ uniform vec3 sun_colour;
 uniform vec3 sky_colour;
 uniform vec3 ground_colour;
 uniform float translucency;
+uniform float opacity;
 uniform float gloss;
 uniform float emphasis;
 uniform vec3 crown_centre;
@@ -100,7 +101,7 @@ void main() {
   seen = mix(seen, vec3(0.16, 0.62, 0.36), 0.22 * emphasis * (1.0 - 0.6 * abs(dot(n, to_eye))));
   // A soft shoulder, so that petals in the sun keep their colour.
   seen = seen / (1.0 + 0.18 * seen);
-  gl_FragColor = vec4(seen, 1.0);
+  gl_FragColor = vec4(seen, opacity);
   #include <colorspace_fragment>
 }
 `;

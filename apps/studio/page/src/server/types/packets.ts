@@ -37,6 +37,8 @@ export interface PacketMaterial {
   roughness: number;
   /// Share of light that passes, 0 to 1.
   translucency: number;
+  /// Share of light that does not pass straight through, 0 to 1.
+  opacity: number;
   /// True: both sides are visible.
   two_sided: boolean;
   /// True: the material has holes where alpha is below 0.5.

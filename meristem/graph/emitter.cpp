@@ -20,6 +20,7 @@
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/omission.h"
+#include "meristem/graph/thickness_left.h"
 #include "meristem/graph/vanished.h"
 #include "meristem/plant/operation_record.h"
 
@@ -512,7 +513,10 @@ void Emitter::put_on_stem(StemPosition whole, Site& site) const {
     site.n = kCutOff;
     return;
   }
-  if (stem.trimmed != nullptr) site.frame = stem.trimmed->moved(site.frame, whole, *left);
+  if (stem.trimmed != nullptr) {
+    site.frame = stem.trimmed->moved(site.frame, whole, *left);
+    site.radius *= thickness_left(*stem.trimmed, whole, *left);
+  }
   if (stem.growing != nullptr) stem.trimmed->settle(*stem.growing, whole, *left, site);
   site.stem = stem.id();
   site.node = left->node;

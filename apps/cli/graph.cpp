@@ -33,11 +33,12 @@ struct GraphOptions {
 };
 
 /// Returns a line such as "leaf.length affects 3 of 6 components: leaf; through it bud, petal".
-std::string text_of_effects(const Document& document, const std::string& path, const std::vector<Effect>& effects) {
+std::string text_of_effects(const Document& document, const std::string& path,
+                            const std::vector<GraphEffect>& effects) {
   std::vector<std::string> own, inherited;
   for (std::size_t c = 0; c < effects.size(); ++c) {
-    if (effects[c] == Effect::own) own.push_back(document.graph.components[c].id);
-    if (effects[c] == Effect::inherited) inherited.push_back(document.graph.components[c].id);
+    if (effects[c] == GraphEffect::own) own.push_back(document.graph.components[c].id);
+    if (effects[c] == GraphEffect::inherited) inherited.push_back(document.graph.components[c].id);
   }
   std::string text =
       fmt::format("{} affects {} of {}", path, own.size() + inherited.size(), counted(effects.size(), "component"));

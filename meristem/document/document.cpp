@@ -473,7 +473,7 @@ void read_into(Document& document, std::string text, const std::string& file, co
     SizeLimits of_text;
     of_text.document_bytes = options.document_bytes;
     root = parse_json(document.source.text, of_text, options.progress);
-    if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
+    if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics, &registry);
     for (bool again = diagnostics.empty(); again;) {
       DocumentReader reader(root, registry, reading, file);
       diagnostics = reader.run(document);

@@ -39,13 +39,14 @@ class Documents(cli_case.Case):
         self.assertEqual(self.assert_ends(DONE, "check", "box.json"), "")
 
     def test_check_grows_plants_at_the_ends_of_ranges_if_asked_to(self):
-        tree = {"meristem": 1, "variables": {"far": {"value": 2, "min": 1, "max": 9000, "doc": "Height."}},
+        tree = {"meristem": 1, "variables": {"wall": {"value": 2, "min": -1, "max": 2, "doc": "Begin of the wall."}},
+                "scene": {"obstacles": [{"box": [["wall", -1, -1], [3, 1, 1]]}]},
                 "components": {"tree": {"type": "colonize", "points": 50,
-                                        "crown": {"sphere": {"centre": [0, "far", 0], "radius": 1}}}}}
+                                        "crown": {"sphere": {"centre": [0, 2, 0], "radius": 1}}}}}
         self.write("tree.json", json.dumps(tree))
-        self.assertEqual(self.assert_ends(DONE, "check", "tree.json"), "")
+        self.assertNotIn("its range allows", self.assert_ends(DONE, "check", "tree.json"))
         errors = self.assert_ends(DONE, "check", "tree.json", "--ranges")
-        self.assertIn("if far is 9000, which its range allows, the crown is out of reach", errors)
+        self.assertIn("if wall is -1, which its range allows, a root stands inside an obstacle", errors)
 
     def test_paths_that_cannot_be_read(self):
         self.assertIn("No such file", self.assert_ends(FAILED, "check", "none.json"))

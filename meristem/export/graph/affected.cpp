@@ -24,11 +24,11 @@ using Names = std::unordered_set<std::string>;
 class Affected {
  public:
   explicit Affected(const Document& document)
-      : document_(document), graph_(document.graph), effects_(graph_.components.size(), Effect::none) {
+      : document_(document), graph_(document.graph), effects_(graph_.components.size(), GraphEffect::none) {
     for (const Prototype& prototype : graph_.components) ids_.add(prototype.id);
   }
 
-  std::vector<Effect> of(std::string_view path) {
+  std::vector<GraphEffect> of(std::string_view path) {
     const std::string whole(path);
     if (path.starts_with("components.")) path.remove_prefix(std::string_view("components.").size());
     if (path.starts_with("variables.")) {
@@ -66,7 +66,7 @@ class Affected {
   }
 
   void start(ComponentIndex component, bool is_look) {
-    effects_[component] = Effect::own;
+    effects_[component] = GraphEffect::own;
     if (!is_look) open_.push_back(component);
   }
 
@@ -172,20 +172,22 @@ class Affected {
 
   void inherit(ComponentIndex component) {
     if (!was_inherited_.insert(component).second) return;
-    if (effects_[component] == Effect::none) effects_[component] = Effect::inherited;
+    if (effects_[component] == GraphEffect::none) effects_[component] = GraphEffect::inherited;
     open_.push_back(component);
   }
 
   const Document& document_;
   const Graph& graph_;
   NameTable ids_;
-  std::vector<Effect> effects_;
+  std::vector<GraphEffect> effects_;
   std::unordered_set<ComponentIndex> was_inherited_;
   std::vector<ComponentIndex> open_;
 };
 
 }  // namespace
 
-std::vector<Effect> affected_by(const Document& document, std::string_view path) { return Affected(document).of(path); }
+std::vector<GraphEffect> affected_by(const Document& document, std::string_view path) {
+  return Affected(document).of(path);
+}
 
 }  // namespace meristem

@@ -10,7 +10,7 @@
 namespace meristem {
 
 /// The effect of a value on the instances of a component.
-enum class Effect {
+enum class GraphEffect {
   none,       ///< their geometry and their places stay
   inherited,  ///< they may move, change in number, or grow otherwise, because they depend on a changed component
   own,        ///< the value is part of the component, or the component uses it by name
@@ -21,6 +21,6 @@ enum class Effect {
 /// or a key of a link ("links[1].density"). A change of a component affects its descendants, components that show it,
 /// and plants that grow beside it. A change of looks affects the component alone. Throws InputError if the document has
 /// no such value.
-std::vector<Effect> affected_by(const Document& document, std::string_view path);
+std::vector<GraphEffect> affected_by(const Document& document, std::string_view path);
 
 }  // namespace meristem

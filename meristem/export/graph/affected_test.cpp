@@ -29,8 +29,8 @@ Document garden() {
 /// Returns a letter for each component: o has or uses the value, i inherits its effect, - neither.
 std::string effects(const std::string& path) {
   std::string text;
-  for (const Effect effect : affected_by(garden(), path)) {
-    text += effect == Effect::own ? 'o' : effect == Effect::inherited ? 'i' : '-';
+  for (const GraphEffect effect : affected_by(garden(), path)) {
+    text += effect == GraphEffect::own ? 'o' : effect == GraphEffect::inherited ? 'i' : '-';
   }
   return text;
 }

@@ -30,7 +30,7 @@ struct DrawnNode {
   std::string type;
   std::uint32_t parent = kNoParent;
   bool is_end = false;  // true for the first component of a recursion, drawn again
-  Effect effect = Effect::none;
+  GraphEffect effect = GraphEffect::none;
 };
 
 struct DrawnLine {
@@ -90,13 +90,13 @@ std::string line_text(const std::string& way, const DrawnLine& line) {
 }
 
 /// Returns the colour of a box as an attribute.
-std::string fill_of(Effect effect) {
+std::string fill_of(GraphEffect effect) {
   switch (effect) {
-    case Effect::own:
+    case GraphEffect::own:
       return " fill=\"#f2b84b\"";
-    case Effect::inherited:
+    case GraphEffect::inherited:
       return " fill=\"#fbe9c6\"";
-    case Effect::none:
+    case GraphEffect::none:
       break;
   }
   return "";
@@ -220,12 +220,13 @@ class GraphTree {
     } else {
       node_of_[next.component] = own;
     }
-    drawing_.nodes.push_back({.name = prototype.id,
-                              .below = {},
-                              .type = options_.shows_types ? prototype.type->name : std::string(),
-                              .parent = next.parent,
-                              .is_end = is_end,
-                              .effect = options_.effects.empty() ? Effect::none : options_.effects[next.component]});
+    drawing_.nodes.push_back(
+        {.name = prototype.id,
+         .below = {},
+         .type = options_.shows_types ? prototype.type->name : std::string(),
+         .parent = next.parent,
+         .is_end = is_end,
+         .effect = options_.effects.empty() ? GraphEffect::none : options_.effects[next.component]});
   }
 
   /// Children wait in the order of the links, the first on top.

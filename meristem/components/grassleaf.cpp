@@ -127,7 +127,8 @@ struct ShapeNumbers {
   double clasp, clasp_radius;
   double polygons, error;
 };
-static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double));
+static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double) &&
+              sizeof(LocalWidth) == 3 * sizeof(double));
 
 /// Rounds the parameters of a leaf, unless leaves are exact.
 class Rounding {
@@ -168,10 +169,22 @@ std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   return turns;
 }
 
+/// Returns the changes of the leaf's width, rounded if they vary.
+std::vector<LocalWidth> widenings_of(const Grassleaf& grass, const Emitter& out) {
+  if (!grass.stages.bend) return {};
+  const Rounding round(grass, out);
+  std::vector<LocalWidth> widenings = grass.widenings;
+  if (!round.varies(grass.widenings)) return widenings;
+  for (LocalWidth& widening : widenings) widening.factor = round.step(widening.factor, kFactorStep);
+  return widenings;
+}
+
 /// Returns a hash of everything that determines the shape.
-std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns) {
+std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns,
+                         const std::vector<LocalWidth>& widenings) {
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof numbers);
   for (const LocalTurn& turn : turns) bytes.append(reinterpret_cast<const char*>(&turn), sizeof turn);
+  for (const LocalWidth& widening : widenings) bytes.append(reinterpret_cast<const char*>(&widening), sizeof widening);
   return hash64(bytes);
 }
 
@@ -313,6 +326,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
     leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
   }
   if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass, out));
+  if (!grass.widenings.empty()) leaf = widened(leaf, widenings_of(grass, out));
   if (!grass.forces) return leaf;
   try {
     return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -406,7 +420,8 @@ void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
   frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
-  out.organ(frame, shape_hash(numbers, turns_of(grass, out)), [&] { return make_shape(grass, numbers, out); });
+  out.organ(frame, shape_hash(numbers, turns_of(grass, out), widenings_of(grass, out)),
+            [&] { return make_shape(grass, numbers, out); });
 }
 
 TextureShape texture_shape(const Grassleaf& grass) {

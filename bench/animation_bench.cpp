@@ -92,7 +92,7 @@ void keyed_leaves(benchmark::State& state) {
 }
 
 void growth(benchmark::State& state) {
-  const Document document = read("docs/manual/figures/film-oak.json", {"age=" + std::string(sized("160", "10"))});
+  const Document document = read("models/films/oak-life.json", {"age=" + std::string(sized("160", "10"))});
   const int frames = sized(100, 3);
   double growths = 0;
   double best = 1e9;

@@ -204,8 +204,9 @@ def viewer(library: Path) -> Members:
 
 
 def shipped_models() -> Members:
-    files = [path for ending in ("json", "obj", "csv") for path in (ROOT / "models").glob(f"*.{ending}")]
-    return {f"meristem/models/{file.name}": file.read_bytes() for file in files}
+    models = ROOT / "models"
+    files = [path for ending in ("json", "obj", "csv") for path in models.rglob(f"*.{ending}")]
+    return {f"meristem/models/{file.relative_to(models).as_posix()}": file.read_bytes() for file in files}
 
 
 def source_files() -> Members:

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/models.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -19,7 +23,9 @@ std::string text_member(const Value& document, const char* name) {
 
 void list_models(bool paths, bool names) {
   const std::string folder = models_folder();
-  for (const std::string& name : model_names(folder)) {
+  std::vector<std::string> listed = model_names(folder);
+  for (std::string& film : film_names(folder)) listed.push_back(std::move(film));
+  for (const std::string& name : listed) {
     if (names) {
       print_line(name);
     } else if (paths) {
@@ -34,7 +40,7 @@ void list_models(bool paths, bool names) {
 }  // namespace
 
 void add_models(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("models", "List the shipped models");
+  CLI::App* command = app.add_subcommand("models", "List the shipped models, and then the shipped films");
   auto paths = std::make_shared<bool>(false);
   auto names = std::make_shared<bool>(false);
   command->add_flag("--paths", *paths, "Print the paths of their files");

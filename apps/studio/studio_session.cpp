@@ -50,8 +50,8 @@ std::string text_member(const Value& document, const char* name) {
 }
 
 bool is_model(const Host& host, const std::string& name) {
-  const std::vector<std::string> names = model_names(host.models_folder);
-  return std::find(names.begin(), names.end(), name) != names.end();
+  const std::vector<std::string> models = model_names(host.models_folder), films = film_names(host.models_folder);
+  return std::ranges::find(models, name) != models.end() || std::ranges::find(films, name) != films.end();
 }
 
 /// Returns the tree of a text, or null if the text is not JSON.

@@ -129,7 +129,8 @@ struct ShapeNumbers {
   double clasp, clasp_radius;
   double polygons, error;
 };
-static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double));
+static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double) &&
+              sizeof(LocalWidth) == 3 * sizeof(double));
 
 /// Rounds the parameters of a leaf, unless leaves are exact.
 class Rounding {
@@ -173,10 +174,22 @@ std::vector<LocalTurn> turns_of(const Grassleaf& grass, const InstanceContext& i
   return turns;
 }
 
+/// Returns the changes of the leaf's width, rounded if they vary.
+std::vector<LocalWidth> widenings_of(const Grassleaf& grass, const InstanceContext& instance) {
+  if (!grass.stages.bend) return {};
+  const Rounding round(grass, instance);
+  std::vector<LocalWidth> widenings = grass.widenings;
+  if (!round.varies(&Grassleaf::widenings)) return widenings;
+  for (LocalWidth& widening : widenings) widening.factor = round.step(widening.factor, kFactorStep);
+  return widenings;
+}
+
 /// Returns a hash of everything that determines the shape.
-std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns) {
+std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns,
+                         const std::vector<LocalWidth>& widenings) {
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof numbers);
   for (const LocalTurn& turn : turns) bytes.append(reinterpret_cast<const char*>(&turn), sizeof turn);
+  for (const LocalWidth& widening : widenings) bytes.append(reinterpret_cast<const char*>(&widening), sizeof widening);
   return hash64(bytes);
 }
 
@@ -349,6 +362,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
     leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
   }
   if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass, instance));
+  if (!grass.widenings.empty()) leaf = widened(leaf, widenings_of(grass, instance));
   if (!grass.forces) return leaf;
   try {
     return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -443,7 +457,7 @@ void expand(const Grassleaf& grass, const Site& site, const InstanceContext& ins
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
   frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
-  organs.add(frame, shape_hash(numbers, turns_of(grass, instance)),
+  organs.add(frame, shape_hash(numbers, turns_of(grass, instance), widenings_of(grass, instance)),
              [&] { return make_shape(grass, numbers, instance); });
 }
 

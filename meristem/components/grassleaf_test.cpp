@@ -545,6 +545,22 @@ TEST(Grassleaf, FaultyParametersAreRejectedAtTheirPlaces) {
   EXPECT_EQ(path_of({{"stages", Object{{"bent", false}}}}), "components.leaf.stages.bent");
 }
 
+TEST(Grassleaf, WideningsChangeTheAreaAndVaryFromLeafToLeaf) {
+  const auto widened = [](const Value& factor) {
+    return field_of(
+        6, strip({{"polygons", 200}, {"widenings", List{Value(Object{{"from", 0}, {"to", 1}, {"factor", factor}})}}}));
+  };
+  const Plant plain = field_of(1, strip({{"polygons", 200}}));
+  const Plant wide = widened(2);
+  EXPECT_EQ(wide.prototypes.size(), 1U);
+  // A strip with r = 1: the mean of (4u(1-u))^2 is 8/15.
+  EXPECT_NEAR(area_of(wide, wide.organs[0]) / area_of(plain, plain.organs[0]), 1 + 8.0 / 15, 0.01);
+  EXPECT_EQ(widened("1 + 0.5*floor(i / 2)").prototypes.size(), 3U);
+  const auto errors = errors_of_leaf({{"widenings", List{Value(Object{{"from", 0.7}, {"to", 0.7}, {"factor", 2}})}}});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].path, "components.leaf.widenings[0].to");
+}
+
 TEST(Grassleaf, TurnsVaryFromLeafToLeafAndEqualOnesShareAMesh) {
   const auto turned = [](const Value& angle) {
     return field_of(6, strip({{"turns", List{Value(Object{{"from", 0.5}, {"to", 0.5}, {"angle", angle}})}}}));

@@ -71,8 +71,10 @@ struct CurveLeft {
   float share = 1;    ///< share of the length
   bool fits = false;  ///< true: the radii of the whole curve are compressed to the remaining length
 
-  /// Returns the position on the whole curve with the radius at `u`.
+  /// Returns the position on the whole curve with the form at `u`.
   double thick_as(double u) const { return fits && share > 0 ? u / share : u; }
+  /// Returns the factor of all radii.
+  float thickness() const { return fits ? share : 1; }
 };
 
 /// Returns the remaining ribs for primitives.
@@ -83,7 +85,7 @@ std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::ve
       stay.push_back(rib);
     } else if (left.fits) {
       stay.push_back(rib_at(horn, path, rib.u * left.share));
-      stay.back().radius = rib.radius;
+      stay.back().radius = rib.radius * left.thickness();
       stay.back().part = rib.part;
     } else if (rib.u <= left.share) {
       stay.push_back(rib);
@@ -106,7 +108,7 @@ std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
 Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemPath& path, CurveLeft left) {
   std::vector<LoftSection> sections;
   const auto add = [&](const Frame& frame, double u) {
-    const double radius = radius_at(stem, left.thick_as(u));
+    const double radius = left.thickness() * radius_at(stem, left.thick_as(u));
     LoftSection& section = sections.emplace_back(LoftSection{.is_closed = horn.section == Horn::Section::outline});
     if (radius < kThinnest * stem.length) {
       section.points.push_back(frame.origin);

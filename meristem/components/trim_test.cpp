@@ -83,7 +83,39 @@ TEST(Trim, StemsThatFitTaperToTheBoundaryAndBearAllTheirBranches) {
   const SkeletonAxes axes(stem);
   const NodeIndex tip = axes.of(0).back();
   EXPECT_NEAR(stem.position[tip].y, 2.1, 1e-3);
-  EXPECT_NEAR(stem.radius[tip], 0.015, 1e-6);  // like the tip of the whole stem
+  // As thin at the tip as the whole stem is in proportion to its length.
+  EXPECT_NEAR(stem.radius[tip], 0.015 * 2.1 / 4, 1e-6);
+  EXPECT_NEAR(stem.radius[axes.of(0).front()], 0.1 * 2.1 / 4, 1e-6);
+}
+
+TEST(Trim, ChildrenOfAStemThatFitsStandOnItsThinnerBark) {
+  GraphBuilder builder = pole("fit");
+  builder.component("bead", "simple", {{"shape", "sphere"}, {"size", Value::List{0.001, 0.001, "radius"}}});
+  builder.link("pole", "bead", LinkKind::branch);
+  const Plant plant = builder.grow();
+  const std::vector<Organ> beads = organs_of(plant, "bead");
+  ASSERT_EQ(beads.size(), 8U);
+  for (const Organ& bead : beads) {
+    const Vec3 at = bead.frame.origin;
+    const double u = at.y / 2.1;
+    const double bark = 2.1 / 4 * (0.1 + u * (0.015 - 0.1));
+    EXPECT_NEAR(glm::length(Vec2(at.x, at.z)), bark, 0.002) << u;
+    EXPECT_NEAR(glm::length(bead.frame.axes[2]), bark, 0.002) << u;
+  }
+}
+
+TEST(Trim, KeepsStemsInARing) {
+  GraphBuilder builder(builtin_components());
+  const Value::Object torus{{"centre", Value::List{0, 0, 0}}, {"radius", 1}, {"tube", 0.3}};
+  builder.component("view", "camera").component("body", "trim", {{"body", Value::Object{{"torus", torus}}}});
+  builder.component("star", "hydra", {{"number", 4}, {"angle", 90}, {"radius", 1}});
+  builder.component("pole", "tree", {{"length", 4}}).link("view", "body").link("body", "star").link("star", "pole");
+  for (const Stem& stem : builder.grow().stems) {
+    for (const Vec3 at : stem.skeleton.position) {
+      const float ring = glm::length(Vec2(at.x, at.z)) - 1;
+      EXPECT_LE(ring * ring + at.y * at.y, 0.3F * 0.3F + 1e-4F);
+    }
+  }
 }
 
 TEST(Trim, NoVertexLiesOutsideByMoreThanTheRadiusThere) {

@@ -20,6 +20,7 @@
 #include "meristem/document/instance_variables.h"
 #include "meristem/document/member_index.h"
 #include "meristem/document/override.h"
+#include "meristem/document/short_forms.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/crown_placement.h"
 #include "meristem/graph/placement.h"
@@ -36,6 +37,7 @@ struct FoundRow {
   const Parameter* row = nullptr;
   bool is_element = false;  // one number of a vector
   bool in_component = false;
+  std::string member{};  // ".count": the rest of the path if it ends at the short form of an object
   std::string error{}, expected{}, nearest{};
 };
 
@@ -55,6 +57,48 @@ std::size_t index_of(const std::string& element) {
   const char* const end = element.data() + element.size() - 1;
   const auto parsed = std::from_chars(element.data() + 1, end, index);
   return parsed.ec == std::errc() && parsed.ptr == end ? index : kNoElement;
+}
+
+/// Returns true for rows whose values are lists of points.
+bool is_shape(const Parameter& row) {
+  return row.kind == ParameterKind::curve || row.kind == ParameterKind::points || row.kind == ParameterKind::positions;
+}
+
+/// Returns true if two values have lists of equal lengths in each other. A curve has a list in an object.
+bool are_formed_alike(const Value& a, const Value& b) {
+  const Value* const curve_a = a.find("curve");
+  const Value* const curve_b = b.find("curve");
+  if (curve_a != nullptr && curve_b != nullptr) return are_formed_alike(*curve_a, *curve_b);
+  if (a.list() == nullptr || b.list() == nullptr) return a.list() == b.list() && curve_a == curve_b;
+  return std::ranges::equal(*a.list(), *b.list(), are_formed_alike);
+}
+
+/// Returns a list of points with other numbers. `numbers` begins with the number that comes next.
+Value with_numbers(const Value& shape, std::span<const double>& numbers) {
+  if (const Value* points = shape.find("curve")) {
+    Value curve = shape;
+    *curve.find("curve") = with_numbers(*points, numbers);
+    return curve;
+  }
+  if (shape.list() == nullptr) {
+    const double number = numbers.front();
+    numbers = numbers.subspan(1);
+    return number;
+  }
+  Value::List made;
+  for (const Value& part : *shape.list()) made.push_back(with_numbers(part, numbers));
+  return made;
+}
+
+/// Finds the parameter that the short form of an object or element sets, if the path ends there.
+FoundRow short_form_of(const ParameterTable& table) {
+  FoundRow found{.row = table.find(table.shorthand)};
+  if (found.row == nullptr) {
+    found.error = "a path leads to a single parameter";
+  } else {
+    found.member = "." + found.row->name;
+  }
+  return found;
 }
 
 /// Finds the row at the end of a path, beginning at its k-th element.
@@ -80,7 +124,21 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
       if (!found.is_element) found.error = fmt::format("'{}' has the elements [0] to [2]", name);
       return found;
     }
+    if (is_shape(*row) && k < elements.size()) {
+      const bool is_curve = row->kind == ParameterKind::curve;
+      const std::size_t first = k + (is_curve ? 1 : 0);
+      const auto rest = std::span(elements).subspan(std::min(first, elements.size()));
+      const bool are_indices = std::ranges::all_of(rest, [](const auto& each) { return index_of(each) != kNoElement; });
+      if (are_indices && (!is_curve || elements[k] == "curve")) found.row = row;
+      if (found.row == nullptr) {
+        found.error = fmt::format("'{}' has nothing of the name '{}'", name, elements[k]);
+        found.expected =
+            fmt::format("points such as {0}[0], and numbers such as {0}[0][1]", is_curve ? name + ".curve" : name);
+      }
+      return found;
+    }
     if (k == elements.size()) {
+      if (row->kind == ParameterKind::object && !row->nested().shorthand.empty()) return short_form_of(row->nested());
       found.row = row;
       return found;
     }
@@ -92,8 +150,7 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
     if (is_many) ++k;
     table = &row->nested();
   }
-  found.error = "a path leads to a single parameter";
-  return found;
+  return short_form_of(*table);
 }
 
 /// Reads the keys of all parameters, one after the other.
@@ -138,9 +195,10 @@ class KeyReader {
   }
 
  private:
-  void read(const std::string& name, const std::string& path, const Value& list, const DocumentPath& place) {
-    const FoundRow found = find(path_elements(path));
+  void read(const std::string& name, const std::string& given_path, const Value& list, const DocumentPath& place) {
+    const FoundRow found = find(path_elements(given_path));
     if (found.row == nullptr) return reader_.add_name_error(place, found.error, found.expected, found.nearest);
+    const std::string path = given_path + found.member + points_of_curve(found, given_path, list);
     const KeyClock clock = found.row->key_clock(found.in_component);
     if (clock == KeyClock::none) {
       return reader_.add_name_error(place, fmt::format("'{}' cannot have keys", name),
@@ -159,6 +217,14 @@ class KeyReader {
     if (reader_.error_count() > errors_before) return;
     put(path, found, std::move(*value), place, by_instance);
     keyed_.push_back({name, path, clock, keys.back().time});
+  }
+
+  /// Returns the rest of the path for keys that are the points of a whole curve, which keeps its kind.
+  static std::string points_of_curve(const FoundRow& found, const std::string& path, const Value& list) {
+    const bool is_whole = found.row->kind == ParameterKind::curve && path_elements(path).back() == found.row->name;
+    const Value::List* keys = list.list();
+    const Value::List* first = is_whole && keys != nullptr && !keys->empty() ? keys->front().list() : nullptr;
+    return first != nullptr && first->size() > 1 && (*first)[1].list() != nullptr ? ".curve" : "";
   }
 
   FoundRow find(const std::vector<std::string>& elements) const {
@@ -296,6 +362,7 @@ class KeyReader {
                                bool by_instance) {
     const Parameter& row = *found.row;
     if (row.kind == ParameterKind::colour) return colour_now(row, keys, place);
+    if (is_shape(row)) return shape_now(row, keys, place);
     Parameter number = row;
     if (row.kind == ParameterKind::vector) number.kind = ParameterKind::number;
     if (by_instance && number.kind == ParameterKind::integer) number.kind = ParameterKind::number;
@@ -380,6 +447,49 @@ class KeyReader {
     return Value(std::move(text));
   }
 
+  /// Returns the points of the keys at the present time. Each number is interpolated by itself, so all keys must have
+  /// equally many points. The reader of the row checks the points.
+  std::optional<Value> shape_now(const Parameter& row, const std::vector<WrittenKey>& keys, const DocumentPath& place) {
+    const Value& first = *keys.front().value;
+    std::vector<std::vector<KeyTrack::Key>> tracks;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const DocumentPath key_place(place, k);
+      const DocumentPath value_place(key_place, std::size_t{1});
+      if (!are_formed_alike(first, *keys[k].value)) {
+        reader_.add_error(value_place, fmt::format("this key of '{}' has other points than the first key", row.name),
+                          "as many points in each key, each a list of equally many numbers");
+        return std::nullopt;
+      }
+      std::vector<double> numbers;
+      if (!add_numbers(row, *keys[k].value, value_place, numbers)) return std::nullopt;
+      tracks.resize(numbers.size());
+      for (std::size_t n = 0; n < numbers.size(); ++n) tracks[n].push_back({keys[k].time, numbers[n], keys[k].way});
+    }
+    std::vector<double> now;
+    for (std::vector<KeyTrack::Key>& track : tracks) now.push_back(KeyTrack(std::move(track)).at(time_));
+    std::span<const double> rest = now;
+    return with_numbers(first, rest);
+  }
+
+  /// Adds the numbers of a list of points, which may be expressions. Returns false after an error.
+  bool add_numbers(const Parameter& row, const Value& shape, const DocumentPath& place, std::vector<double>& numbers) {
+    if (const Value* points = shape.find("curve")) {
+      return add_numbers(row, *points, DocumentPath(place, "curve"), numbers);
+    }
+    if (shape.list() != nullptr) {
+      for (std::size_t k = 0; k < shape.list()->size(); ++k) {
+        if (!add_numbers(row, (*shape.list())[k], DocumentPath(place, k), numbers)) return false;
+      }
+      return true;
+    }
+    Parameter number = row;
+    number.kind = ParameterKind::number;
+    number.form = {.unit = row.form.unit, .fixed = true};
+    const std::optional<double> found = reader_.number(number, shape, place);
+    if (found) numbers.push_back(*found);
+    return found.has_value();
+  }
+
   /// Returns the value of the last key so far, for parameters without values between keys.
   std::optional<Value> jumping(const Parameter& row, const std::vector<WrittenKey>& keys, const DocumentPath& place) {
     const Value* last = keys.front().value;
@@ -398,6 +508,7 @@ class KeyReader {
 
   void put(const std::string& path, const FoundRow& found, Value value, const DocumentPath& place, bool by_instance) {
     std::vector<Diagnostic> errors;
+    if (registry_ != nullptr) write_out_short_forms(root_, *registry_, path_elements(path));
     if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, errors);
     Value* const target = find_or_add_known(path, place, errors);
     if (target == nullptr) {

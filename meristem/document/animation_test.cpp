@@ -105,6 +105,62 @@ TEST(Animation, AtATimeItIsTheDocumentWithTheValuesPutInByHand) {
   }
 }
 
+/// A leaf with an outline of straight lines, on a stem.
+std::string shaped(const std::string& outline, const std::string& animation) {
+  return R"j({"meristem": 1, "components": {"stem": {"type": "tree", "length": 0.3},
+    "leaf": {"type": "leaf", "length": 0.1, "outline": {"kind": "linear", "curve": )j" +
+         outline + R"j(}}}, "links": [["stem", "leaf"]])j" + animation + "}";
+}
+
+TEST(Animation, CurvesPassFromKeyToKeyPointByPoint) {
+  const auto keys = [](const std::string& begin, const std::string& end) {
+    return R"j(, "animation": {"length": 4, "keys": {"leaf.outline": [[0, )j" + begin + "[[0, 0], [0.2, 1], [1, 0]]" +
+           end + "], [4, " + begin + "[[0, 0], [0.6, 0.5], [1, 0.2]]" + end + "]]}}";
+  };
+  for (const std::string& written : {keys("", ""), keys(R"({"kind": "linear", "curve": )", "}")}) {
+    const Document document = read(shaped("[[0, 0.1], [0.5, 1], [1, 0.1]]", written));
+    EXPECT_EQ(hash_at(document, 1), hash_at(read(shaped("[[0, 0], [0.3, 0.875], [1, 0.05]]", ""))));
+    EXPECT_EQ(hash_at(document, 9), hash_at(read(shaped("[[0, 0], [0.6, 0.5], [1, 0.2]]", ""))));
+  }
+}
+
+TEST(Animation, PointsAndNumbersOfACurveHaveKeys) {
+  const std::string keys = R"j(, "animation": {"length": 4, "keys": {
+    "leaf.outline.curve[1]": [[0, [0.25, 1]], [4, [0.75, 0.5]]], "leaf.outline.curve[2][1]": [[0, 0], [4, 0.5]]}})j";
+  const Document document = read(shaped("[[0, 0.1], [0.5, 1], [1, 0.1]]", keys));
+  EXPECT_EQ(hash_at(document, 2), hash_at(read(shaped("[[0, 0.1], [0.5, 0.75], [1, 0.25]]", ""))));
+}
+
+TEST(Animation, KeysLeadIntoShortForms) {
+  const auto tree = [](const std::string& points, const std::string& name) {
+    const std::string keys = R"j(, "animation": {"length": 4, "keys": {")j" + name + R"j(": [[0, 20], [4, 60]]}})j";
+    return R"j({"meristem": 1, "components": {"tree": {"type": "colonize", "points": )j" + points +
+           R"j(, "crown": {"sphere": {"centre": [0, 1, 0], "radius": 1}}}})j" + (name.empty() ? "" : keys) + "}";
+  };
+  const std::string by_hand = hash_at(read(tree("40", "")));
+  for (const std::string name : {"tree.points", "tree.points.count"}) {
+    EXPECT_EQ(hash_at(read(tree("7", name)), 2), by_hand) << name;
+    EXPECT_EQ(hash_at(read(tree(R"({"count": 7})", name)), 2), by_hand) << name;
+  }
+}
+
+TEST(Animation, ControlPointsHaveKeysOnTheClockOfTheirInstance) {
+  const auto patch = [](const std::string& corner, const std::string& above, const std::string& keys) {
+    return R"j({"meristem": 1, "components": {"pace": {"type": "sequence"}, "two": {"type": "hydra", "number": 2},
+      "patch": {"type": "hyperpatch", "degree": [1, 1, 1], "box": [[0, 0, 0], [1, 1, 1]], "points": [[0, 0, 0], [1, 0, 0],
+        [0, 0, 1], [1, 0, 1], )j" +
+           corner + R"j(, [1, 1, 0], [0, 1, 1], [1, 1, 1]]}, "stem": {"type": "tree", "length": 1}},
+      "links": [)j" +
+           above + R"j(["two", "patch"], ["patch", "stem"]])j" + keys + "}";
+  };
+  const std::string by_hand = hash_at(read(patch("[0, 1.5, 0]", "", "")));
+  for (const std::string name : {"patch.points[4]", "patch.points[4].at"}) {
+    const std::string keys =
+        R"j(, "animation": {"length": 4, "keys": {")j" + name + R"j(": [[0, [0, 1, 0]], [4, [0, 2, 0]]]}})j";
+    EXPECT_EQ(hash_at(read(patch("[0, 1, 0]", "", keys)), 2), by_hand) << name;
+  }
+}
+
 TEST(Animation, CountsWithFractionsStandInDocumentsToo) {
   const Document document = read(keyed_blossom());
   EXPECT_EQ(hash_at(document, 1.75), hash_at(read(keyed_blossom(), 1.75), 1.75));
@@ -389,6 +445,10 @@ TEST(Animation, TellsWhatIsWrongWithItsKeysAndWhere) {
       {R"("agee": [[0, 1]])", "there is no variable 'agee'", "age"},
       {R"("links[0].angle": [[0, 1]])", "a link that is a pair", ""},
       {R"("links[1].angel": [[0, 1]])", "has no parameter 'angel'", "angle"},
+      {R"("petal.outline[0]": [[0, 1]])", "has nothing of the name '[0]'", "outline.curve[0][1]"},
+      {R"("bloom.taper": [[0, [[0, 1], [1, 1]]], [1, [[0, 1]]]])", "other points than the first key", "as many points"},
+      {R"("bloom.taper": [[0, "round"]])", "round", ""},
+      {R"("petal.outline": [[0, [[0, 1], [1, 1]]]])", "below a sequence", ""},
       {R"("seed.x": [[0, 1]])", "'seed' cannot have keys", ""},
       {R"("bloom.surface": [[0, 1]])", "cannot have keys", ""},
       {R"("clock.delay": [[0, 1]])", "cannot have keys", ""},

@@ -29,6 +29,7 @@
 #include "meristem/document/variables.h"
 #include "meristem/graph/add_camera.h"
 #include "meristem/graph/link_reader.h"
+#include "meristem/graph/single_recursions.h"
 #include "meristem/graph/table/fingerprint.h"
 
 namespace meristem {
@@ -109,8 +110,9 @@ class DocumentReader {
 
     // The structure is analysed once all components and links are read without faults.
     if (!has_errors(diagnostics_)) {
-      add_camera(document.graph, registry_.camera());
-      analyse_structure(document.graph, diagnostics_, options_.progress);
+      const std::vector<bool> has_recursion = with_recursion();
+      add_camera(document.graph, registry_.camera(), has_recursion);
+      analyse_structure(document.graph, has_recursion, diagnostics_, options_.progress);
       if (!has_errors(diagnostics_)) check_given_names(*root_, document.graph, diagnostics_, options_.progress);
       if (!has_errors(diagnostics_)) check_silent_keys(*root_, document.graph, diagnostics_);
       if (!has_errors(diagnostics_) && !keyed.empty()) check_key_clocks(keyed, document.graph, diagnostics_);
@@ -257,6 +259,15 @@ class DocumentReader {
     reader.expressions().add_instance_names(graph.site_names);
     read_instance_variables(root_->find("variables"), graph, reader);
     read_all(false);
+  }
+
+  /// Returns true for each component that has a "recursion". The document may compute it by variables, down to 1.
+  std::vector<bool> with_recursion() const {
+    std::vector<bool> given;
+    for (const auto& [id, value] : *root_->find("components")->object()) {
+      given.push_back(value.find("recursion") != nullptr);
+    }
+    return given;
   }
 
   /// Returns true if a component of the document has a type that gives names to its descendants.
@@ -464,7 +475,7 @@ void read_into(Document& document, std::string text, const std::string& file, co
     SizeLimits of_text;
     of_text.document_bytes = options.document_bytes;
     root = parse_json(document.source.text, of_text, options.progress);
-    if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
+    if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics, &registry);
     for (bool again = diagnostics.empty(); again;) {
       DocumentReader reader(root, registry, reading, file);
       diagnostics = reader.run(document);

@@ -8,6 +8,7 @@
 
 #include "meristem/components/leaf.h"
 #include "meristem/components/registry.h"
+#include "meristem/graph/instances.h"
 
 namespace meristem::document_test {
 
@@ -223,6 +224,18 @@ const Rejection kRejections[] = {
 
 INSTANTIATE_TEST_SUITE_P(Document, RejectedDocument, testing::ValuesIn(kRejections),
                          [](const auto& test) { return test.param.about; });
+
+TEST(Document, ARecursionByAVariableMayBe1) {
+  const auto instances = [](int depth) {
+    const std::string tower = R"("floor": {"type": "simple", "recursion": "depth"}, "roof": {"type": "simple"})";
+    const std::string links = R"("links": [["floor", "floor"], {"from": "floor", "to": "roof", "kind": "leaf"}],)";
+    const Document document = read(with(fmt::format(R"("variables": {{"depth": {}}}, {})", depth, links), tower));
+    Progress progress;
+    return instance_tree(document.graph, document.scene, 0, 100, progress).instances.size();
+  };
+  EXPECT_EQ(instances(3), 1U + 3 + 1);
+  EXPECT_EQ(instances(1), 1U + 1 + 1) << "a floor and the roof";
+}
 
 TEST(Document, RejectsLinksThatMakeNoTree) {
   const std::string two = R"("a": {"type": "simple"}, "b": {"type": "simple"})";

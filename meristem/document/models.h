@@ -10,7 +10,10 @@ namespace meristem {
 /// Returns the names of a folder's documents (files without `.json`), in alphabetical order. Returns an empty list if
 /// the folder cannot be read.
 std::vector<std::string> model_names(const std::string& folder);
-/// Returns the path of a model's file in the folder, which need not exist.
+/// Returns the names of the films: documents with an animation, in the subfolder `films`. They grow from nothing, so at
+/// the time 0 there may be nothing to see. Otherwise like model_names().
+std::vector<std::string> film_names(const std::string& folder);
+/// Returns the path of the file of a model or film in the folder, which need not exist.
 std::string model_path(const std::string& folder, const std::string& name);
 
 /// Returns the file that a user means by `path`: the file at this path, or else the model of this name. A file takes

@@ -32,6 +32,19 @@ TEST_F(ModelsTest, AreFoundByTheirNamesAndFilesByTheirPaths) {
   EXPECT_EQ(find_document("nowhere.json", folder()), "nowhere.json");
 }
 
+TEST_F(ModelsTest, FilmsStandInTheirOwnFolder) {
+  EXPECT_TRUE(film_names(folder()).empty());
+  EXPECT_TRUE(film_names("").empty());
+  std::filesystem::create_directory(folder_ / "films");
+  for (const char* name : {"primrose.json", "oak.json"}) std::ofstream(folder_ / "films" / name) << "{}";
+  EXPECT_EQ(model_names(folder()), (std::vector<std::string>{"birch", "oak"}));
+  EXPECT_EQ(film_names(folder()), (std::vector<std::string>{"oak", "primrose"}));
+  const std::string film = (folder_ / "films" / "primrose.json").string();
+  EXPECT_EQ(find_document("primrose", folder()), film);
+  EXPECT_EQ(find_document_within("primrose", folder(), folder()).file, film);
+  EXPECT_EQ(find_document("oak", folder()), (folder_ / "oak.json").string()) << "a model goes before a film";
+}
+
 TEST_F(ModelsTest, SuggestTheNearestName) {
   try {
     find_document("oka", folder());

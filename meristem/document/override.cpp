@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "meristem/document/json.h"
+#include "meristem/document/short_forms.h"
 #include "meristem/document/tables.h"
 
 namespace meristem {
@@ -165,7 +166,7 @@ ValueOverride parse_override(std::string_view text) {
 }
 
 void apply_overrides(Value& root, const std::vector<ValueOverride>& overrides, DocumentOrigin& source,
-                     std::vector<Diagnostic>& diagnostics) {
+                     std::vector<Diagnostic>& diagnostics, const Registry* registry) {
   for (const ValueOverride& override : overrides) {
     note_set(override, source.sets);
     const bool is_path = !path_elements(override.path).empty();
@@ -178,6 +179,7 @@ void apply_overrides(Value& root, const std::vector<ValueOverride>& overrides, D
                              .path = path});
       continue;
     }
+    if (registry != nullptr) write_out_short_forms(root, *registry, path_elements(path));
     if (override.value.is_null()) {
       remove_member(root, path, diagnostics);
     } else if (Value* target = find_or_add(root, path, path, diagnostics)) {

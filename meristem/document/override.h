@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meristem/document/document.h"
+#include "meristem/graph/component.h"
 #include "meristem/graph/table/reader.h"
 
 namespace meristem {
@@ -26,9 +27,10 @@ Value* find_or_add_below(Value& value, std::span<const std::string> elements, co
 /// Puts the values into the tree and their paths into `source`. Reports a fault for each path that leads nowhere. A
 /// path without a dot or bracket is a variable. A path that begins with a top-level key is used unchanged. Any other
 /// path begins with a component's id. Missing members are added (the reader checks them), but elements of lists must
-/// exist. Null removes a member.
+/// exist. Null removes a member. Short forms along a path are written out with the tables of `registry`. Null: they are
+/// left as they are.
 void apply_overrides(Value& root, const std::vector<ValueOverride>& overrides, DocumentOrigin& source,
-                     std::vector<Diagnostic>& diagnostics);
+                     std::vector<Diagnostic>& diagnostics, const Registry* registry = nullptr);
 
 /// Removes values from the tree that have no effect beside the values set at `overridden` paths of the same component,
 /// link or top-level key. Returns true if anything was removed.

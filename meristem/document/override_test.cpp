@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/components/colonize.h"
+#include "meristem/components/hyperpatch.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 
@@ -49,6 +50,34 @@ TEST(Override, SetsParametersOfComponents) {
   EXPECT_EQ(tree_of(document).points.count, 50U);
   EXPECT_DOUBLE_EQ(tree_of(document).growth.step, 0.02);
   EXPECT_EQ(tree_of(document).crown->profile[1].x, 3);
+}
+
+TEST(Override, LeadsIntoShortForms) {
+  const Document document = read_with({"tree.points.blue_noise=true", "variables.size.min=1"});
+  EXPECT_EQ(tree_of(document).points.count, 100U) << "the bare number";
+  EXPECT_TRUE(tree_of(document).points.blue_noise);
+  EXPECT_EQ(document.variables[1].value, 2);
+  EXPECT_EQ(document.variables[1].min, 1);
+  EXPECT_EQ(tree_of(read_with({"tree.points.count=30"})).points.count, 30U);
+  const Document bark = read_with({"tree.texture={\"bark\": \"plated\"}", "tree.texture.bark.scale=2"});
+  EXPECT_EQ(tree_of(bark).texture.bark->style, BarkRecipe::Style::plated);
+  EXPECT_EQ(tree_of(bark).texture.bark->scale, 2);
+  EXPECT_NE(error_of("tree.points.cuont=30").find("did you mean 'count'?"), std::string::npos);
+}
+
+TEST(Override, LeadsToControlPoints) {
+  const char* const kPatch = R"({"meristem": 1, "components": {"patch": {"type": "hyperpatch", "degree": [1, 1, 1],
+    "box": [[0, 0, 0], [1, 1, 1]], "points": [[0, 0, 0], [1, 0, 0], [0, 0, 1], {"at": [1, 0, 1]},
+                                              [0, 1, 0], [1, 1, 0], [0, 1, 1], [1, 1, 1]]}}})";
+  const auto point = [&](const std::string& set, std::size_t k) {
+    const Document document =
+        read_document(kPatch, "patch.json", builtin_components(), {.overrides = {parse_override(set)}});
+    return static_cast<const Hyperpatch*>(document.graph.components[0].parameters.get())->points[k].at;
+  };
+  EXPECT_EQ(point("patch.points[4]=[0, 2, 0]", 4), Vec3(0, 2, 0));
+  EXPECT_EQ(point("patch.points[4].at=[0, 2, 0]", 4), Vec3(0, 2, 0));
+  EXPECT_EQ(point("patch.points[4].at[1]=3", 4), Vec3(0, 3, 0));
+  EXPECT_EQ(point("patch.points[3].at[1]=3", 3), Vec3(1, 3, 1));
 }
 
 TEST(Override, SetsKeysOfTheDocument) {

@@ -134,7 +134,9 @@ class TableList {
     } else if (row.nested != nullptr) {
       made.emplace_back("table", add(row.nested(), table_name + "." + row.name));
     }
-    if (row.key_clock(true) != KeyClock::none) made.emplace_back("keyed", true);
+    const bool has_points = row.kind == ParameterKind::curve || row.kind == ParameterKind::points ||
+                            row.kind == ParameterKind::positions;  // the studio has no editor for keys of points
+    if (row.key_clock(true) != KeyClock::none && !has_points) made.emplace_back("keyed", true);
     if (row.required) made.emplace_back("required", true);
     if (!fallback.is_null() && !row.required) made.emplace_back("default", fallback);
     return made;

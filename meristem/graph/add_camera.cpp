@@ -15,8 +15,8 @@ namespace {
 /// Links the camera to all roots of the graph. Marks the components that can be reached from each new link.
 class Roots {
  public:
-  Roots(Graph& graph, ComponentIndex camera)
-      : graph_(graph), camera_(camera), has_parent_(camera), is_reached_(camera) {
+  Roots(Graph& graph, const std::vector<bool>& has_recursion, ComponentIndex camera)
+      : graph_(graph), has_recursion_(has_recursion), camera_(camera), has_parent_(camera), is_reached_(camera) {
     outgoing_ = make_flat_lists(camera, graph.links.size(), [&](std::size_t k) { return graph.links[k].from; });
     for (const Link& link : graph.links) {
       stop_.step();
@@ -32,6 +32,9 @@ class Roots {
     }
     for (ComponentIndex c = 0; c < camera_; ++c) {
       if (!is_reached_[c] && graph_.components[c].base().recursion > 1) link_to(c);
+    }
+    for (ComponentIndex c = 0; c < camera_ && c < has_recursion_.size(); ++c) {
+      if (!is_reached_[c] && has_recursion_[c]) link_to(c);
     }
     for (ComponentIndex c = 0; c < camera_; ++c) {
       if (!is_reached_[c]) link_to(c);
@@ -58,6 +61,7 @@ class Roots {
 
   StopCounter stop_;
   Graph& graph_;
+  const std::vector<bool>& has_recursion_;
   ComponentIndex camera_;  // the last component
   FlatLists outgoing_;     // links of the document by component
   std::vector<bool> has_parent_;
@@ -66,7 +70,7 @@ class Roots {
 
 }  // namespace
 
-void add_camera(Graph& graph, const ComponentType& camera) {
+void add_camera(Graph& graph, const ComponentType& camera, const std::vector<bool>& has_recursion) {
   const auto is_camera = [](const Prototype& prototype) { return prototype.type->is_camera; };
   if (std::ranges::any_of(graph.components, is_camera)) return;
   std::string id = "camera";
@@ -76,7 +80,7 @@ void add_camera(Graph& graph, const ComponentType& camera) {
                               .parameters = camera.make_parameters(),
                               .fingerprint = 0,
                               .depends_on_time = false});
-  Roots(graph, static_cast<ComponentIndex>(graph.components.size() - 1)).run();
+  Roots(graph, has_recursion, static_cast<ComponentIndex>(graph.components.size() - 1)).run();
 }
 
 }  // namespace meristem

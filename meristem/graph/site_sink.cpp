@@ -13,6 +13,7 @@
 #include "meristem/base/fingerprint.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/present_instance.h"
+#include "meristem/graph/thickness_left.h"
 
 namespace meristem {
 
@@ -184,7 +185,10 @@ void SiteSink::put_on_stem(StemPosition whole, Site& site) const {
     site.n = kCutOff;
     return;
   }
-  if (stem.trimmed != nullptr) site.frame = stem.trimmed->moved(site.frame, whole, *left);
+  if (stem.trimmed != nullptr) {
+    site.frame = stem.trimmed->moved(site.frame, whole, *left);
+    site.radius *= thickness_left(*stem.trimmed, whole, *left);
+  }
   if (stem.growing != nullptr) stem.trimmed->settle(*stem.growing, whole, *left, site);
   site.stem = stem.id();
   site.node = left->node;

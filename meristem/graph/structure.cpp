@@ -10,6 +10,7 @@
 #include "meristem/base/free_later.h"
 #include "meristem/graph/flat_lists.h"
 #include "meristem/graph/graph.h"
+#include "meristem/graph/single_recursions.h"
 
 namespace meristem {
 
@@ -21,8 +22,9 @@ constexpr std::size_t kStepsBetweenChecks = 4096;
 
 class Analysis {
  public:
-  Analysis(const Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress)
-      : graph_(graph), diagnostics_(diagnostics), progress_(progress) {
+  Analysis(const Graph& graph, const std::vector<bool>& may_be_single, std::vector<Diagnostic>& diagnostics,
+           const Progress* progress)
+      : graph_(graph), may_be_single_(may_be_single), diagnostics_(diagnostics), progress_(progress) {
     structure_.outgoing.resize(graph.components.size());
     structure_.recursion_of_link.assign(graph.links.size(), kNoIndex);
     structure_.recursion_of.assign(graph.components.size(), kNoIndex);
@@ -137,7 +139,8 @@ class Analysis {
     const auto head_at = std::find_if(path_begin, path_end, [&](const auto& v) { return v.component == head; });
     LinkStructure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
-    if (graph_.components[head].base().recursion < 2) {
+    const bool may_be_single = head < may_be_single_.size() && may_be_single_[head];
+    if (graph_.components[head].base().recursion < 2 && !may_be_single) {
       add_error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
                 fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
@@ -239,6 +242,7 @@ class Analysis {
   };
 
   const Graph& graph_;
+  const std::vector<bool>& may_be_single_;
   std::vector<Diagnostic>& diagnostics_;
   const Progress* progress_;
   LinkStructure structure_;
@@ -255,7 +259,12 @@ std::string link_path(const Graph& graph, LinkIndex link) {
 }
 
 void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics, const Progress* progress) {
-  Analysis analysis(graph, diagnostics, progress);
+  analyse_structure(graph, {}, diagnostics, progress);
+}
+
+void analyse_structure(Graph& graph, const std::vector<bool>& may_be_single, std::vector<Diagnostic>& diagnostics,
+                       const Progress* progress) {
+  Analysis analysis(graph, may_be_single, diagnostics, progress);
   try {
     graph.structure = analysis.run();
   } catch (const Cancelled&) {

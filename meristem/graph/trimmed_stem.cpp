@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "meristem/graph/thickness_left.h"
+
 namespace meristem {
 
 namespace {
@@ -18,6 +20,13 @@ Vec3 position_at(const Skeleton& skeleton, StemPosition at) {
 Vec3 heading_at(const Skeleton& skeleton, StemPosition at) {
   if (skeleton.is_root(at.node)) return kUp;
   return normalized_or(skeleton.position[at.node] - skeleton.position[skeleton.parent[at.node]], kUp);
+}
+
+/// Returns the radius at a position. A lateral begins with the radius of its first node.
+float radius_at_position(const Skeleton& skeleton, StemPosition at) {
+  const NodeIndex parent = skeleton.parent[at.node];
+  if (parent == kNoNode || skeleton.axis[parent] != skeleton.axis[at.node]) return skeleton.radius[at.node];
+  return glm::mix(skeleton.radius[parent], skeleton.radius[at.node], at.along);
 }
 
 }  // namespace
@@ -91,19 +100,15 @@ std::optional<StemPosition> TrimmedStem::share_left_of(StemPosition position) co
 Frame TrimmedStem::moved(const Frame& frame, StemPosition from, StemPosition to) const {
   if (mode_ == TrimMode::cut) return frame;
   const Mat3 turn = rotation_between(heading_at(whole_, from), heading_at(left(), to));
-  return {turn * frame.axes, position_at(left(), to) + turn * (frame.origin - position_at(whole_, from))};
+  const Vec3 off = thickness_left(*this, from, to) * (frame.origin - position_at(whole_, from));
+  return {turn * frame.axes, position_at(left(), to) + turn * off};
 }
 
-namespace {
-
-/// Returns the radius at a position. A lateral begins with the radius of its first node.
-float radius_at_position(const Skeleton& skeleton, StemPosition at) {
-  const NodeIndex parent = skeleton.parent[at.node];
-  if (parent == kNoNode || skeleton.axis[parent] != skeleton.axis[at.node]) return skeleton.radius[at.node];
-  return glm::mix(skeleton.radius[parent], skeleton.radius[at.node], at.along);
+float thickness_left(const TrimmedStem& stem, StemPosition from, StemPosition to) {
+  if (stem.mode() == TrimMode::cut) return 1;
+  const float before = radius_at_position(stem.whole(), from);
+  return before > 0 ? radius_at_position(stem.left(), to) / before : 1;
 }
-
-}  // namespace
 
 void TrimmedStem::settle(const GrowingStem& growing, StemPosition from, StemPosition to, Site& site) const {
   const float last = radius_at_position(whole_, from);

@@ -133,8 +133,9 @@ class Trimmer {
       const float length = new_arcs[nodes.back()];
       const float stretch = length > 0 ? arcs[old.back()] / length : 1;
       const NodeIndex bearer = skeleton.parent[nodes[0]];
-      float scale = 1;
-      if (bearer != kNoNode) scale = std::min(1.0F, skeleton.radius[bearer] / whole_.radius[old[0]]);
+      // A stem of another length has the same form, so its thickness is in proportion to its length.
+      float scale = stretch > 1 ? 1 / stretch : 1;
+      if (bearer != kNoNode) scale = std::min(scale, skeleton.radius[bearer] / whole_.radius[old[0]]);
       std::size_t next = 0;
       for (const NodeIndex node : nodes) {
         const float at = std::min(new_arcs[node] * stretch, arcs[old.back()]);

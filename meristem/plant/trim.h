@@ -17,7 +17,7 @@ namespace meristem {
 /// The effect of a body on the stem inside it.
 enum class TrimMode {
   cut,   ///< the stem ends at the boundary with its local radius; everything beyond is removed
-  fit,   ///< the stem ends at the boundary with the taper of a whole stem
+  fit,   ///< the stem ends at the boundary with the form of a whole stem: thinner as it is shorter
   none,  ///< nothing
 };
 
@@ -40,9 +40,9 @@ struct TrimmedSkeleton {
 };
 
 /// Returns the skeleton up to the point where each of its axes first leaves the space. Removes roots outside, with all
-/// that grows on them, and roots without a remaining segment. With `fit`, a shortened axis has the radii of the whole
-/// axis compressed to its new length, and no branch is thicker than its bearing wood. `mode` must not be `none`. Cost:
-/// linear in nodes.
+/// that grows on them, and roots without a remaining segment. With `fit`, a shortened axis has the form of the whole
+/// axis: its length and its radii are smaller by one factor. No branch is thicker than its bearing wood. `mode` must
+/// not be `none`. Cost: linear in nodes.
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode);
 
 /// Returns what is left of a skeleton if `kept` is the remaining share of each segment, one per node. All nodes beyond

@@ -75,14 +75,15 @@ TEST(TrimSkeleton, WhatGrowsBeyondIsGone) {
   EXPECT_EQ(SkeletonAxes(trimmed.skeleton).count(), 3U);
 }
 
-TEST(TrimSkeleton, AStemThatFitsHasItsTaperOverTheLengthThatItHas) {
+TEST(TrimSkeleton, AStemThatFitsHasTheFormOfTheWholeStem) {
   const Skeleton whole = ladder();
   const TrimmedSkeleton trimmed = trim_skeleton(whole, below(2), TrimMode::fit);
   ASSERT_TRUE(check_skeleton(trimmed.skeleton));
   const NodeIndex tip = trimmed.node[2];
-  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[tip], whole.radius[4]);
-  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[trimmed.node[1]], whole.radius[2]);
-  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[trimmed.node[0]], whole.radius[0]);
+  // Half as long, so half as thick at equal shares of the length.
+  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[tip], 0.5F * whole.radius[4]);
+  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[trimmed.node[1]], 0.5F * whole.radius[2]);
+  EXPECT_FLOAT_EQ(trimmed.skeleton.radius[trimmed.node[0]], 0.5F * whole.radius[0]);
   EXPECT_EQ(trimmed.skeleton.extra.count("cut"), 0U);
 }
 

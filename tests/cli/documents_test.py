@@ -17,7 +17,36 @@ class Documents(cli_case.Case):
     def test_good_document(self):
         done = self.run_program("check", "tree.json")
         self.assertEqual((done.returncode, done.stdout.decode(), done.stderr.decode()),
-                         (DONE, "tree.json: good, 3 components and 2 links\n", ""))
+                         (DONE, "tree.json: good, 2 components and 1 link\n", ""))
+
+    def test_check_counts_the_camera_only_if_it_is_written(self):
+        self.write("box.json", BOX)
+        self.write("seen.json", BOX.replace('"box"', '"view": {"type": "camera"}, "box"', 1)
+                   .replace("}}}", '}}, "links": [["view", "box"]]}'))
+        for name, size in (("box", "1 component and 0 links"), ("seen", "2 components and 1 link")):
+            self.assertIn(f"good, {size}", self.run_program("check", f"{name}.json").stdout.decode())
+
+    def test_check_warns_of_values_in_a_range_that_would_be_refused(self):
+        box = {"meristem": 1, "variables": {"size": {"value": 1, "min": 0, "max": 2, "doc": "Size."}, "free": 1},
+               "components": {"box": {"type": "simple", "size": ["size", "size", "free"]}}}
+        self.write("box.json", json.dumps(box))
+        errors = self.assert_ends(DONE, "check", "box.json")
+        self.assertIn("if size is 0, which its range allows, the value 0 is out of range for 'size'", errors)
+        self.assertEqual(errors.count("warning"), 1)
+        self.assertEqual(self.assert_ends(DONE, "check", "box.json", "-q"), "")
+        box["variables"]["size"]["min"] = 0.1
+        self.write("box.json", json.dumps(box))
+        self.assertEqual(self.assert_ends(DONE, "check", "box.json"), "")
+
+    def test_check_grows_plants_at_the_ends_of_ranges_if_asked_to(self):
+        tree = {"meristem": 1, "variables": {"wall": {"value": 2, "min": -1, "max": 2, "doc": "Begin of the wall."}},
+                "scene": {"obstacles": [{"box": [["wall", -1, -1], [3, 1, 1]]}]},
+                "components": {"tree": {"type": "colonize", "points": 50,
+                                        "crown": {"sphere": {"centre": [0, 2, 0], "radius": 1}}}}}
+        self.write("tree.json", json.dumps(tree))
+        self.assertNotIn("its range allows", self.assert_ends(DONE, "check", "tree.json"))
+        errors = self.assert_ends(DONE, "check", "tree.json", "--ranges")
+        self.assertIn("if wall is -1, which its range allows, a root stands inside an obstacle", errors)
 
     def test_paths_that_cannot_be_read(self):
         self.assertIn("No such file", self.assert_ends(FAILED, "check", "none.json"))

@@ -162,6 +162,13 @@ class Keys(cli_case.Case):
         self.assertIn("wrong.json:3:", done.stderr.decode())
         self.assertIn("'size'", done.stderr.decode())
 
+    def test_shipped_films_are_models(self):
+        names = self.run_program("models", "--names").stdout.decode().split()
+        for film in ("primrose", "tulip-day", "oak-life", "ivy-climb", "crocus"):
+            self.assertIn(film, names)
+        self.assert_ends(DONE, "grow", "primrose", "--animated", "--keys", "3", "-o", "p.glb", "-q")
+        self.assertIn(b'"animations"', self.read("p.glb"))
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

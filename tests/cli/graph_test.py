@@ -43,6 +43,14 @@ class Graph(cli_case.Case):
                          ["D11", "D12", "D13", "D21", "D22", "D23", "D31", "D32", "D33"])
         self.assertEqual(len(names), 3 + 9 + 3)
 
+    def test_highlights_and_lists_what_a_parameter_affects(self):
+        done = self.run_program("graph", "first.json", "--affects", "D.size", "-o", "d.svg")
+        self.assertEqual((done.returncode, done.stderr.decode().strip()),
+                         (DONE, "D.size affects 2 of 5 components: D; through it E"))
+        self.assertEqual(self.read("d.svg").decode().count("#f2b84b"), 2, "the recursion's first component stands twice")
+        errors = self.assert_ends(WRONG_INPUT, "graph", "first.json", "--affects", "D.sice")
+        self.assertIn("'sice' is not a parameter of a simple; did you mean 'size'?", errors)
+
     def test_larger_trees_than_asked_for_are_an_error_that_names_a_component(self):
         errors = self.assert_ends(WRONG_INPUT, "graph", "first.json", "--tree", "--most", "10")
         self.assertIn("components.D: there are more than 10 instances", errors)

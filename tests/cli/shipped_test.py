@@ -40,7 +40,7 @@ def only_settings(options):
 
 models = sorted((repository / "models").glob("*.json"))
 documents = sorted(figures.glob("*.json"))
-for path in documents:
+for path in documents + sorted((repository / "models" / "films").glob("*.json")):
     check(path)
 
 for path in models:

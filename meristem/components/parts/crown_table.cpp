@@ -95,6 +95,12 @@ void check_crown(const CrownParameters& crown, const DocumentPath& path, Paramet
     return reader.add_error(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
                             "a direction such as [0, 1, 0]");
   }
+  if (crown.torus && crown.torus->tube > crown.torus->radius) {
+    return reader.add_error(DocumentPath(DocumentPath(path, "torus"), "tube"),
+                            fmt::format("the tube of {:.7g} m is thicker than the torus of {:.7g} m", crown.torus->tube,
+                                        crown.torus->radius),
+                            "at most the torus's radius");
+  }
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
     return reader.add_error(path, "the crown is empty: its list has no parts",
@@ -207,6 +213,22 @@ const ParameterTable& pyramid_table() {
   return table;
 }
 
+const ParameterTable& torus_table() {
+  static const ParameterTable table =
+      Table<TorusParameters>("a torus", "A ring that lies flat, such as a wreath.")
+          .vector("centre", &TorusParameters::centre, kCoordinate, "Centre of the torus, relative to the root.")
+          .in_space(InSpace::position)
+          .required()
+          .number("radius", &TorusParameters::radius, kLength,
+                  "Radius of the circle in the middle of the torus's tube.")
+          .in_space(InSpace::radius)
+          .required()
+          .number("tube", &TorusParameters::tube, kLength,
+                  "Radius of the torus's tube, at most the torus's radius; raised, a thicker ring with a smaller hole.")
+          .required();
+  return table;
+}
+
 const ParameterTable& half_space_table() {
   static const ParameterTable table =
       Table<HalfSpaceParameters>("a half space", "All that lies on one side of a plane.")
@@ -306,6 +328,7 @@ const ParameterTable& crown_table() {
           .object("cylinder", &CrownParameters::cylinder, cylinder_table, "An upright cylinder as the crown.")
           .object("pyramid", &CrownParameters::pyramid, pyramid_table,
                   "A pyramid with a square base and its apex up, as the crown.")
+          .object("torus", &CrownParameters::torus, torus_table, "A torus that lies flat, as the crown.")
           .object("half_space", &CrownParameters::half_space, half_space_table,
                   "All that lies on one side of a plane, to be intersected with or subtracted from other crowns.")
           .box("box", &CrownParameters::box, kCoordinate,
@@ -314,7 +337,7 @@ const ParameterTable& crown_table() {
                 "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
           .members(&CrownParameters::mesh_place, import_table())
           .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone",
-                   "cylinder", "pyramid", "half_space", "box", "mesh"})
+                   "cylinder", "pyramid", "torus", "half_space", "box", "mesh"})
           .only_with("mesh", import_names())
           .check(check_crown);
   return table;
@@ -375,6 +398,7 @@ CrownPointer build_crown(const CrownParameters& form) {
   if (form.pyramid) {
     return std::make_shared<PyramidCrown>(form.pyramid->base, form.pyramid->width, form.pyramid->height);
   }
+  if (form.torus) return std::make_shared<TorusCrown>(form.torus->centre, form.torus->radius, form.torus->tube);
   if (form.half_space) return std::make_shared<HalfSpaceCrown>(form.half_space->point, form.half_space->normal);
   if (form.box) return std::make_shared<BoxCrown>(*form.box);
   if (form.mesh) return std::make_shared<MeshCrown>(form.mesh.content, form.mesh_place.frame());

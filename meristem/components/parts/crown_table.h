@@ -56,6 +56,13 @@ struct PyramidParameters {
   double height = 2;  ///< of the apex above the square, metres
 };
 
+/// A ring around a vertical axis.
+struct TorusParameters {
+  Vec3 centre{0};      ///< metres from the root
+  double radius = 1;   ///< of the circle in the middle of the tube, metres
+  double tube = 0.25;  ///< radius of the tube, metres
+};
+
 /// All space on one side of a plane.
 struct HalfSpaceParameters {
   Vec3 point{0};         ///< on the plane, metres from the root
@@ -74,6 +81,7 @@ struct CrownParameters {
   std::optional<ConeParameters> cone;                               ///< a cone
   std::optional<UprightCylinderParameters> cylinder;                ///< an upright cylinder
   std::optional<PyramidParameters> pyramid;                         ///< a pyramid
+  std::optional<TorusParameters> torus;                             ///< a torus
   std::optional<HalfSpaceParameters> half_space;                    ///< a half space
   std::optional<Box> box;                                           ///< corners in any order, metres from the root
   Asset<ClosedMesh> mesh;                                           ///< a closed mesh from a file

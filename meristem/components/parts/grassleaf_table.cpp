@@ -54,6 +54,25 @@ const ParameterTable& turn_table() {
   return table;
 }
 
+const ParameterTable& widening_table() {
+  static const ParameterTable table =
+      Table<LocalWidth>("a widening", "A change of the leaf's width at a place of the blade.")
+          .number("from", &LocalWidth::from, {.min = 0, .max = 1, .fixed = true},
+                  "Position along the midrib where the change begins, from base (0) to tip (1).")
+          .number("to", &LocalWidth::to, {.min = 0, .max = 1, .fixed = true},
+                  "Position along the midrib where the change ends.")
+          .number("factor", &LocalWidth::factor, {.min = 0, .max = 100, .usual = {0, 3}},
+                  "Width in the middle of the change, compared with the width before; above 1 a bulge, below 1 a "
+                  "waist.")
+          .required()
+          .check([](const LocalWidth& width, const DocumentPath& path, ParameterReader& reader) {
+            if (width.to <= width.from)
+              reader.add_error(DocumentPath(path, "to"), "the widening ends where it begins, or before",
+                               "above 'from'");
+          });
+  return table;
+}
+
 const ParameterTable& strip_table() {
   static const ParameterTable table =
       Table<LeafStrip>("a strip", "How a leaf resists bending.")
@@ -130,7 +149,7 @@ const ParameterTable& stages_table() {
           .boolean("age", &GrassStages::age, "Whether the leaf has the form of its age; otherwise it is full grown.")
           .boolean("vary", &GrassStages::vary,
                    "Whether each leaf has a life of its own, by the rates in 'vary'; needs the stage 'age'.")
-          .boolean("bend", &GrassStages::bend, "Whether inclination, turns and forces act.")
+          .boolean("bend", &GrassStages::bend, "Whether inclination, turns, widenings and forces act.")
           .boolean("reduce", &GrassStages::reduce,
                    "Whether the leaf is reduced to its polygons; otherwise it keeps all pieces of the fit.")
           .boolean("blade", &GrassStages::blade,
@@ -260,6 +279,8 @@ Table<Grassleaf> grassleaf_table() {
       .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10, .usual = {0, 3}},
               "Factor on the inclination; raised, the leaf stands off more.")
       .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib, which add up.")
+      .list("widenings", &Grassleaf::widenings, widening_table,
+            "Changes of the leaf's width at places of the blade, whose factors multiply.")
       .object("forces", &Grassleaf::forces, forces_table,
               "Wind, light and other forces that bend the leaf as an elastic strip.")
       .members(&Grassleaf::blade, blade_table())

@@ -62,6 +62,7 @@ struct Grassleaf : ComponentBase {
   std::optional<double> inclination;
   double inclination_factor = 1;
   std::vector<LocalTurn> turns;
+  std::vector<LocalWidth> widenings;
   std::optional<GrassForces> forces;
   GrassBlade blade;  ///< roll, fold, twist, waves and quads across
   std::optional<ParameterFormula> f, g, h;

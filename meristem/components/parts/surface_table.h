@@ -15,8 +15,8 @@ const ParameterTable& surface_table();
 const std::vector<std::string>& trim_modes();
 /// Sentence of the row that chooses a TrimMode.
 inline constexpr const char* kTrimDoc =
-    "What the body of a 'trim' component above does to the stems: 'cut' ends them flat at its boundary, 'fit' tapers "
-    "them to an end there, 'none' lets them pass.";
+    "What the body of a 'trim' component above does to the stems: 'cut' ends them flat at its boundary, 'fit' makes "
+    "them shorter and thinner so that they end there, 'none' lets them pass.";
 
 /// Returns the row paths of texture parameters that have no effect on stems, such as "texture.picture.repeat_u".
 const std::vector<std::string>& names_off_stems();

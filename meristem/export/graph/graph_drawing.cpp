@@ -30,6 +30,7 @@ struct DrawnNode {
   std::string type;
   std::uint32_t parent = kNoParent;
   bool is_end = false;  // true for the first component of a recursion, drawn again
+  GraphEffect effect = GraphEffect::none;
 };
 
 struct DrawnLine {
@@ -88,10 +89,23 @@ std::string line_text(const std::string& way, const DrawnLine& line) {
                      doubled_style(line.link, false), way, doubled_style(line.link, true));
 }
 
+/// Returns the colour of a box as an attribute.
+std::string fill_of(GraphEffect effect) {
+  switch (effect) {
+    case GraphEffect::own:
+      return " fill=\"#f2b84b\"";
+    case GraphEffect::inherited:
+      return " fill=\"#fbe9c6\"";
+    case GraphEffect::none:
+      break;
+  }
+  return "";
+}
+
 std::string node_text(const DrawnNode& node, double x, double y, double width, double height) {
   std::string made =
-      fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" rx=\"6\"{}/>\n", x - width / 2,
-                  y - height / 2, width, height, node.is_end ? " stroke-dasharray=\"3 3\"" : "");
+      fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" rx=\"6\"{}{}/>\n", x - width / 2,
+                  y - height / 2, width, height, node.is_end ? " stroke-dasharray=\"3 3\"" : "", fill_of(node.effect));
   const double name_y = node.type.empty() ? y + 4.5 : y - 2;
   const std::string below =
       node.below.empty() ? "" : fmt::format("<tspan dy=\"3.5\" font-size=\"8.5\">{}</tspan>", escaped(node.below));
@@ -206,11 +220,13 @@ class GraphTree {
     } else {
       node_of_[next.component] = own;
     }
-    drawing_.nodes.push_back({.name = prototype.id,
-                              .below = {},
-                              .type = options_.shows_types ? prototype.type->name : std::string(),
-                              .parent = next.parent,
-                              .is_end = is_end});
+    drawing_.nodes.push_back(
+        {.name = prototype.id,
+         .below = {},
+         .type = options_.shows_types ? prototype.type->name : std::string(),
+         .parent = next.parent,
+         .is_end = is_end,
+         .effect = options_.effects.empty() ? GraphEffect::none : options_.effects[next.component]});
   }
 
   /// Children wait in the order of the links, the first on top.

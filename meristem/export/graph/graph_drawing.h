@@ -8,7 +8,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "meristem/export/graph/affected.h"
 #include "meristem/graph/graph.h"
 #include "meristem/graph/instances.h"
 
@@ -16,7 +18,8 @@ namespace meristem {
 
 /// Options of graph drawings.
 struct DrawingOptions {
-  bool shows_types = false;  ///< if true, shows the type of each component below its name
+  bool shows_types = false;            ///< if true, shows the type of each component below its name
+  std::vector<GraphEffect> effects{};  ///< highlights components that a value affects, see affected_by(); empty: none
 };
 
 /// Draws the p-graph, whose structure must be valid.

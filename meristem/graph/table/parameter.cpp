@@ -163,6 +163,9 @@ KeyClock Parameter::key_clock(bool in_component) const {
     case ParameterKind::colour:
     case ParameterKind::boolean:
     case ParameterKind::choice:
+    case ParameterKind::curve:
+    case ParameterKind::points:
+    case ParameterKind::positions:
       return KeyClock::document;
     default:
       return KeyClock::none;
@@ -171,7 +174,8 @@ KeyClock Parameter::key_clock(bool in_component) const {
 
 bool Parameter::has_values_between() const {
   return kind == ParameterKind::number || kind == ParameterKind::integer || kind == ParameterKind::vector ||
-         kind == ParameterKind::colour;
+         kind == ParameterKind::colour || kind == ParameterKind::curve || kind == ParameterKind::points ||
+         kind == ParameterKind::positions;
 }
 
 std::string Parameter::expectation() const {

@@ -53,6 +53,16 @@ TEST(CrownDistance, OfBallsIsExactAndOfEllipsoidsNearTheSurface) {
   EXPECT_NEAR(flat.distance({0, 0.99F, 0}), -0.01, 1e-3);
 }
 
+TEST(CrownDistance, OfATorusIsExactAndItHasAHole) {
+  const TorusCrown ring({0.2F, 0.5F, 0}, 1.5, 0.6);
+  check_distance(ring, 0);
+  EXPECT_NEAR(ring.distance({0.2F, 0.5F, 0}), 0.9, 1e-6);
+  EXPECT_NEAR(ring.distance({1.7F, 0.5F, 0}), -0.6, 1e-6);
+  EXPECT_FALSE(ring.is_convex());
+  EXPECT_NEAR(ring.bounds().high.x, 2.3F, 1e-5);
+  EXPECT_NEAR(ring.bounds().low.y, -0.1F, 1e-5);
+}
+
 TEST(CrownDistance, OfProfilesFromTheirOutline) {
   const ProfileCrown crown({{0, -1}, {1.2F, 0}, {1.5F, 0.8F}, {0, 2}});
   check_distance(crown, 0.02);

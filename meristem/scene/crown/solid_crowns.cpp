@@ -98,6 +98,19 @@ Box PyramidCrown::bounds() const {
   return outward(base_ - DVec3(half_width_, 0, half_width_), base_ + DVec3(half_width_, height_, half_width_));
 }
 
+bool TorusCrown::contains(Vec3 point) const { return distance(point) <= 0; }
+
+double TorusCrown::distance(Vec3 point) const {
+  const DVec3 way = DVec3(point) - centre_;
+  const double off = std::sqrt(way.x * way.x + way.z * way.z) - radius_;
+  return std::sqrt(off * off + way.y * way.y) - tube_;
+}
+
+Box TorusCrown::bounds() const {
+  const DVec3 reach(radius_ + tube_, tube_, radius_ + tube_);
+  return outward(centre_ - reach, centre_ + reach);
+}
+
 bool HalfSpaceCrown::contains(Vec3 point) const { return glm::dot(DVec3(point) - point_, normal_) <= 0; }
 
 double HalfSpaceCrown::distance(Vec3 point) const {

@@ -69,6 +69,22 @@ class PyramidCrown : public Crown {
   double height_;
 };
 
+/// A torus that lies flat.
+class TorusCrown : public Crown {
+ public:
+  /// `radius` is the radius of the circle in the middle of the tube. `tube`, the radius of the tube, is at most
+  /// `radius`.
+  TorusCrown(Vec3 centre, double radius, double tube) : centre_(centre), radius_(radius), tube_(tube) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override;
+
+ private:
+  DVec3 centre_;
+  double radius_;
+  double tube_;
+};
+
 /// All points on one side of a plane.
 class HalfSpaceCrown : public Crown {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bends a leaf by changing the angles of its midrib's pieces, or turns it as a whole about its collar. The lengths of
-// pieces stay.
+// pieces stay. Changes of the width multiply the widths of points.
 #include "meristem/shape/grass/bend_leaf.h"
 
 #include <algorithm>
@@ -9,6 +9,12 @@
 #include "meristem/base/math.h"
 
 namespace meristem {
+
+namespace {
+
+constexpr double kMaxWidthFactor = 100;
+
+}  // namespace
 
 GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns) {
   for (const LocalTurn& turn : turns) {
@@ -29,6 +35,33 @@ GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns) {
     }
   }
   set_piece_angles(now, angles);
+  return now;
+}
+
+GrassLeaf widened(const GrassLeaf& leaf, const std::vector<LocalWidth>& widths) {
+  for (const LocalWidth& width : widths) {
+    if (!(width.from >= 0 && width.to > width.from && width.to <= 1)) {
+      throw std::invalid_argument("a change of a leaf's width must lie between two positions from 0 to 1");
+    }
+    if (!(width.factor >= 0 && width.factor <= kMaxWidthFactor)) {
+      throw std::invalid_argument("the factor of a leaf's width must be at least 0, and at most 100");
+    }
+  }
+  GrassLeaf now = leaf;
+  double widest = 0;
+  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+    for (const LocalWidth& width : widths) {
+      const double u = (leaf.s[k] - width.from) / (width.to - width.from);
+      if (u <= 0 || u >= 1) continue;
+      const double rise = 4 * u * (1 - u);  // 1 in the middle; its square has no edge at the ends
+      now.r[k] *= 1 + (width.factor - 1) * rise * rise;
+    }
+    widest = std::max(widest, now.r[k]);
+  }
+  if (widest > 1) {
+    now.width *= widest;
+    for (double& share : now.r) share /= widest;
+  }
   return now;
 }
 

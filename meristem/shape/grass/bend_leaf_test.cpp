@@ -73,6 +73,31 @@ TEST(BendLeaf, InclinedItLeavesTheStemAtTheAngleAskedFor) {
   }
 }
 
+TEST(BendLeaf, WidenedItIsWiderAtThePlaceAlone) {
+  const GrassLeaf leaf = arching_leaf(100, 0, 1);
+  for (const double factor : {0.0, 0.5, 1.0, 3.0}) {
+    const GrassLeaf now = widened(leaf, {{.from = 0.2, .to = 0.6, .factor = factor}});
+    EXPECT_TRUE(keeps_its_pieces(leaf, now));
+    for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+      const double before = leaf.width * leaf.r[k], after = now.width * now.r[k];
+      const bool is_inside = leaf.s[k] > 0.2 && leaf.s[k] < 0.6;
+      if (!is_inside) EXPECT_NEAR(after, before, 1e-12) << leaf.s[k];
+      if (is_inside) EXPECT_LE(std::abs(after - before), std::abs(factor - 1) * before + 1e-12) << leaf.s[k];
+      EXPECT_LE(now.r[k], 1 + 1e-12);
+    }
+    const double middle = now.width * along_leaf(now, now.r, 0.4), plain = leaf.width * along_leaf(leaf, leaf.r, 0.4);
+    EXPECT_NEAR(middle, factor * plain, 1e-3 * plain) << factor;
+  }
+}
+
+TEST(BendLeaf, RejectsWidthsOutOfRange) {
+  const GrassLeaf leaf = arching_leaf(5, 0, 1);
+  EXPECT_THROW(widened(leaf, {{.from = 0.5, .to = 0.5, .factor = 1}}), std::invalid_argument);
+  EXPECT_THROW(widened(leaf, {{.from = 0.5, .to = 1.5, .factor = 1}}), std::invalid_argument);
+  EXPECT_THROW(widened(leaf, {{.from = 0, .to = 1, .factor = -1}}), std::invalid_argument);
+  EXPECT_THROW(widened(leaf, {{.from = 0, .to = 1, .factor = std::nan("")}}), std::invalid_argument);
+}
+
 TEST(BendLeaf, RejectsPlacesOutOfRange) {
   const GrassLeaf leaf = arching_leaf(5, 0, 1);
   EXPECT_THROW(turned(leaf, {{.from = -0.1, .to = 0.5, .angle = 1}}), std::invalid_argument);

@@ -96,6 +96,8 @@ std::vector<double> MidribFamily::angles(double age) const {
 double visible_share(double age, double full_age) { return std::clamp(age / full_age, 0.0, 1.0); }
 
 GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, double full_age) {
+  if (std::isnan(age)) throw std::invalid_argument("the age of a leaf must be a number");
+  if (!(full_age > 0)) throw std::invalid_argument("the age at which a leaf is whole must be above 0");
   const double visible = visible_share(age, full_age);
   if (visible < kMinShare) return unseen(leaf);
   const std::size_t pieces = family.piece_count();

@@ -38,8 +38,9 @@ class MidribFamily {
 double visible_share(double age, double full_age);
 
 /// Returns the leaf at `age`: its midrib from the family, and the widths of its visible part, since the tip emerges
-/// first. `leaf` is the full-grown leaf with its final length and width. The length is 0 if nothing is visible. Based
-/// on: Fournier and Pradal (2012), equation 8, with the visible share instead of l.
+/// first. `leaf` is the full-grown leaf with its final length and width. The length is 0 if nothing is visible. Throws
+/// std::invalid_argument if `age` is not a number, or if `full_age` is not above 0. Based on: Fournier and Pradal
+/// (2012), equation 8, with the visible share instead of l.
 GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, double full_age = 1);
 
 /// Factors on one step of a leaf's life. With all factors 1, the leaf is the plain leaf.

@@ -117,6 +117,13 @@ TEST(Aged, NothingCanBeSeenAtAge0) {
   EXPECT_EQ(area(aged(kLeaf, MidribFamily(kLeaf), -1)), 0);
 }
 
+TEST(Aged, AgesThatAreNoNumbersAreRefused) {
+  const MidribFamily family(kLeaf);
+  EXPECT_THROW(aged(kLeaf, family, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(aged(kLeaf, family, 1, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(aged(kLeaf, family, 1, 0), std::invalid_argument);
+}
+
 TEST(Aged, LengthAndAreaGrowWithAge) {
   const MidribFamily family(kLeaf);
   double length = 0, seen = 0;

@@ -121,7 +121,7 @@ export const kPictures = [
     name: 'time',
     theme: 'light',
     act: async (page) => {
-      await open_file(page, 'film-primrose.json');
+      await open_file(page, 'primrose.json');
       await page.keyboard.press('k');
       const slider = page.getByRole('slider', { name: 'Time that is shown' });
       const box = await slider.boundingBox();
@@ -383,8 +383,9 @@ export async function draw_all(browser, out, { scale = 1, tell = () => undefined
     await writeFile(path.join(place.folder, `${name}.json`), JSON.stringify(document, null, 2));
   for (const file of ['grass-measured.json', 'grass-midribs.csv', 'grass-widths.csv'])
     await cp(path.join(kSource, 'docs/manual/figures', file), path.join(place.folder, file));
-  for (const name of ['sunflower-head', 'sunflower-stem', 'film-primrose'])
+  for (const name of ['sunflower-head', 'sunflower-stem'])
     await cp(path.join(kSource, `docs/manual/figures/${name}.json`), path.join(place.folder, `${name}.json`));
+  await cp(path.join(kSource, 'models/films/primrose.json'), path.join(place.folder, 'primrose.json'));
   const on_oak = await start_server(place.folder);
   const on_small = await start_server(place.folder, 'young-pear.json');
   await mkdir(out, { recursive: true });

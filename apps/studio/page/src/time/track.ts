@@ -63,10 +63,8 @@ export function number_at(keys: readonly NumberKey[], time: number): number {
 }
 
 const as_number = (value: Json): number | null => (typeof value === 'number' ? value : null);
-const element =
-  (k: number) =>
-  (value: Json): number | null =>
-    Array.isArray(value) ? as_number(value[k] ?? null) : null;
+const elements_of = (keys: readonly Key[], k: number): Key[] =>
+  keys.map((key) => ({ ...key, value: Array.isArray(key.value) ? (key.value[k] ?? null) : null }));
 const channel =
   (k: number) =>
   (value: Json): number | null => {
@@ -79,9 +77,8 @@ export function value_at_time(keys: readonly Key[], time: number): Json {
   const plain = numbers_of(keys, as_number);
   if (plain) return tidy(number_at(plain, time));
   const first = keys[0]?.value ?? null;
-  if (Array.isArray(first)) {
-    const parts = first.map((_, k) => numbers_of(keys, element(k)));
-    if (parts.every((one) => one !== null)) return parts.map((one) => tidy(number_at(one, time)));
+  if (Array.isArray(first) && keys.every(({ value }) => Array.isArray(value) && value.length === first.length)) {
+    return first.map((_, k) => value_at_time(elements_of(keys, k), time));
   }
   const channels = [0, 1, 2].map((k) => numbers_of(keys, channel(k)));
   if (channels.every((one) => one !== null)) {

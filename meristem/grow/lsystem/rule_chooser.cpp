@@ -28,7 +28,8 @@ void for_each_batch(std::span<const std::uint32_t> all, Body body) {
 /// Chooses in two steps. First, each module gets the choice that its letter alone decides: a rule, or to be copied. A
 /// module whose rules have contexts, conditions, weights or lives becomes a candidate of its letter. Then the rules of
 /// each letter are tested in their order, each on all remaining candidates. The first rule without a weight that
-/// matches a candidate decides it. One of the matching rules with weights is drawn. A candidate that no rule matches is copied.
+/// matches a candidate decides it. One of the matching rules with weights is drawn. A candidate that no rule matches is
+/// copied.
 bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities,
                          std::size_t begin, std::size_t end, std::span<RuleChoice> choices,
                          const std::optional<LifeSpan>& lives, const Progress& progress) {

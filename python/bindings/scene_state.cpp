@@ -63,8 +63,8 @@ Obstacle obstacle_from(const py::tuple& state) {
 }
 
 py::tuple state_of(const Lamp& lamp) {
-  const auto numbers = [](const std::optional<Vec3>& vector) -> py::object {
-    return vector ? py::object(numbers_of(*vector)) : py::none();
+  const auto numbers = [](const std::optional<Vec3>& vector) {
+    return vector ? std::optional(numbers_of(*vector)) : std::nullopt;
   };
   return py::make_tuple(numbers_of(lamp.position), lamp.strength, numbers(lamp.colour), numbers(lamp.target),
                         lamp.angle, lamp.radius);

@@ -220,7 +220,8 @@ def test_scenes_and_their_light_outlive_where_they_come_from() -> None:
 
 
 def test_pickled_scenes_answer_the_same() -> None:
-    scene = walled(**SEASON, lamps=[{"position": [0, 4, 0], "strength": 0.3}])
+    spot = {"position": [0, 4, 0], "strength": 0.3, "target": [1, 0, 0], "angle": 70, "radius": 0.2}
+    scene = walled(**SEASON, lamps=[{**spot, "colour": "#ff8800"}])
     copy = pickle.loads(pickle.dumps(scene))
     points = random_points(500)
     assert np.array_equal(copy.inside(points), scene.inside(points))

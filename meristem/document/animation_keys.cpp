@@ -126,8 +126,8 @@ FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& ele
     }
     if (is_shape(*row) && k < elements.size()) {
       const bool is_curve = row->kind == ParameterKind::curve;
-      const std::size_t first = k + (is_curve ? 1 : 0);
-      const auto rest = std::span(elements).subspan(std::min(first, elements.size()));
+      const std::size_t next = k + (is_curve ? 1 : 0);
+      const auto rest = std::span(elements).subspan(std::min(next, elements.size()));
       const bool are_indices = std::ranges::all_of(rest, [](const auto& each) { return index_of(each) != kNoElement; });
       if (are_indices && (!is_curve || elements[k] == "curve")) found.row = row;
       if (found.row == nullptr) {
@@ -485,7 +485,7 @@ class KeyReader {
     Parameter number = row;
     number.kind = ParameterKind::number;
     number.form = {.unit = row.form.unit, .fixed = true};
-    const std::optional<double> found = reader_.number(number, shape, place);
+    const std::optional<double> found = reader_.numbers().read(number, shape, place);
     if (found) numbers.push_back(*found);
     return found.has_value();
   }

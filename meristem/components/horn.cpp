@@ -271,10 +271,8 @@ ComponentType horn_component() {
               .members(&Horn::stem, stem_form_table())
               .choice("section", &Horn::section,
                       {"ring", "outline", "line", "area", "box", "sphere", "cylinder", "cone", "torus"},
-                      "What follows the curve: with 'ring' a stem that other stems can join, with 'outline' a closed "
-                      "surface through copies of the outline, with 'line' a sheet through the open line of its points, "
-                      "with "
-                      "'area' the filled outline on each rib, else the named primitive on each rib.")
+                      "What follows the curve: 'ring', a stem that other stems can join; 'outline' and 'line', a "
+                      "closed or open surface; 'area', the filled outline on each rib; or a primitive on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
                       "Points [x, z] of the cross-section for the sections 'outline', 'line' and 'area', as shares of "
                       "the radius.")

@@ -227,9 +227,9 @@ INSTANTIATE_TEST_SUITE_P(Document, RejectedDocument, testing::ValuesIn(kRejectio
 
 TEST(Document, ARecursionByAVariableMayBe1) {
   const auto instances = [](int depth) {
-    const std::string tower = R"("floor": {"type": "simple", "recursion": "depth"}, "roof": {"type": "simple"})";
+    const std::string tower = R"("floor": {"type": "simple", "recursion": "storeys"}, "roof": {"type": "simple"})";
     const std::string links = R"("links": [["floor", "floor"], {"from": "floor", "to": "roof", "kind": "leaf"}],)";
-    const Document document = read(with(fmt::format(R"("variables": {{"depth": {}}}, {})", depth, links), tower));
+    const Document document = read(with(fmt::format(R"("variables": {{"storeys": {}}}, {})", depth, links), tower));
     Progress progress;
     return instance_tree(document.graph, document.scene, 0, 100, progress).instances.size();
   };

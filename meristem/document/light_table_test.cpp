@@ -267,7 +267,7 @@ const Rejection kRejections[] = {
      "39: scene.sun.hour: 'hour' has no meaning beside 'azimuth'; expected only one of them"},
     {"SunAsNumber", R"({"sun": 3})",
      "9: scene.sun: a sun cannot be the number 3; expected an object with azimuth, altitude, day, days, every_days, "
-     "every_hours, hour, date, time, longitude, utc_offset"},
+     "every_hours, sample_hour, hour, date, time, longitude, utc_offset"},
     {"Sky", R"({"sky": 1.5})", "9: scene.sky: the value 1.5 is out of range for 'sky'; expected a number from 0 to 1"},
     {"LampWithoutPlace", R"({"lamps": [{"strength": 1}]})",
      "12: scene.lamps[0]: a lamp has no 'position'; expected a list of three numbers [x, y, z] from -100000 to 100000"},

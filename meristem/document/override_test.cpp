@@ -166,8 +166,8 @@ TEST(Override, RejectsPathsThatLeadNowhere) {
   EXPECT_EQ(error_of("links[2].density=3"),
             "--set links[2].density: links[2].density: there is no element [2] in a list of 2; expected [0] to [1]");
   EXPECT_EQ(error_of("tree[0]=3"), "--set tree[0]: components.tree[0]: there is no element [0] in an object");
-  EXPECT_EQ(error_of("tree.points.count=3"),
-            "--set tree.points.count: components.tree.points.count: the number 100 has no member 'count'");
+  EXPECT_EQ(error_of("links[1].density.count=3"),
+            "--set links[1].density.count: links[1].density.count: the number 10 has no member 'count'");
 }
 
 TEST(Override, LeavesADocumentThatIsNoObjectToTheReader) {

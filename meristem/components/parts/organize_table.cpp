@@ -228,8 +228,8 @@ const ParameterTable& organize_growth_table() {
                   "heads are thicker.")
           .number(
               "closure", &OrganizeParameters::closure, {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.02}},
-              "Distance by which wounds close from their edge per iteration. The column 'wound' then has the radius "
-              "that is still open.")
+              "Decrease of the radius of open wounds per iteration; raised, wounds close sooner. The column 'wound' "
+              "then has the radius that is still open.")
           .boolean("plan", &OrganizeParameters::plans,
                    "Whether the last iteration's winter operations are only planned: they are recorded, and the tree "
                    "stays as it was before them.")

@@ -116,7 +116,7 @@ TEST(Varying, FaultsInAValueAreRejectedWithTheirPlace) {
   EXPECT_EQ(path_of(Value::List{"i", 1}), "components.stick.length[0]");
   EXPECT_EQ(path_of("1 + j"), "components.stick.length");
   EXPECT_EQ(path_of(Value::Object{{"aply", "v"}, {"range", Value::List{1, 2}}}), "components.stick.length.aply");
-  EXPECT_EQ(path_of(Value::Object{{"range", 1}}), "components.stick.length");
+  EXPECT_EQ(path_of(Value::Object{{"range", 1}}), "components.stick.length.range");
   EXPECT_EQ(path_of(Value::Object{{"apply", 1}}), "components.stick.length.apply");
   EXPECT_EQ(path_of(Value::Object{}), "components.stick.length");
   EXPECT_EQ(path_of(Value()), "components.stick.length");

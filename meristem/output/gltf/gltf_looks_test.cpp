@@ -43,7 +43,7 @@ Vec3 linear(Bytes4 bytes) { return Vec3(bytes[0], bytes[1], bytes[2]) / 255.0F; 
 
 TEST(GltfLooks, ALowerOpacityIsBlended) {
   MeshScene scene = textured_scene();
-  EXPECT_FALSE(written_glb(scene).json["materials"][0].contains("alphaMode"));
+  EXPECT_EQ(written_glb(scene).json["materials"][0]["alphaMode"], "MASK");
   scene.materials[0].opacity = 0.4F;
   const Glb glb = written_glb(scene);
   const Json& material = glb.json["materials"][0];

@@ -116,8 +116,10 @@ void add_check(CLI::App& app, Run& run) {
   auto options = std::make_shared<CheckOptions>();
   options->document.add_to(*command);
   command->add_flag("--quick", options->is_quick, "Only read the document; do not grow its plants");
-  command->add_flag("--ranges", options->grows_ranges,
-                    "Also grow it with each variable at its least, middle and greatest value");
+  command
+      ->add_flag("--ranges", options->grows_ranges,
+                 "Also grow it with each variable at its least, middle and greatest value")
+      ->excludes("--quick");
   command->add_flag("--expand", options->expands,
                     "Print the operations that each training stands for, as a document would list them");
   command->footer("Example: meristem check models/oak.json");

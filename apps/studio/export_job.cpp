@@ -188,6 +188,7 @@ CameraView view_of(const ExportOptions& options, const Document& document) {
   view.position = options.camera->position;
   view.target = options.camera->target;
   view.field_of_view = radians(options.camera->field_of_view_deg);
+  view.roll = 0;  // the page shows a level view
   return view;
 }
 

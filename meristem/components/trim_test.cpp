@@ -110,7 +110,9 @@ TEST(Trim, KeepsStemsInARing) {
   builder.component("view", "camera").component("body", "trim", {{"body", Value::Object{{"torus", torus}}}});
   builder.component("star", "hydra", {{"number", 4}, {"angle", 90}, {"radius", 1}});
   builder.component("pole", "tree", {{"length", 4}}).link("view", "body").link("body", "star").link("star", "pole");
-  for (const Stem& stem : builder.grow().stems) {
+  const Plant plant = builder.grow();
+  ASSERT_EQ(plant.stems.size(), 4U);
+  for (const Stem& stem : plant.stems) {
     for (const Vec3 at : stem.skeleton.position) {
       const float ring = glm::length(Vec2(at.x, at.z)) - 1;
       EXPECT_LE(ring * ring + at.y * at.y, 0.3F * 0.3F + 1e-4F);

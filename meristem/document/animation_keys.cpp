@@ -73,6 +73,14 @@ bool are_formed_alike(const Value& a, const Value& b) {
   return std::ranges::equal(*a.list(), *b.list(), are_formed_alike);
 }
 
+/// Returns true if two values of curves have the same kind. The kind is spline if the value does not give it.
+bool are_of_one_kind(const Value& a, const Value& b) {
+  const Value spline("spline");
+  const Value* const kind_a = a.find("kind");
+  const Value* const kind_b = b.find("kind");
+  return (kind_a == nullptr ? spline : *kind_a) == (kind_b == nullptr ? spline : *kind_b);
+}
+
 /// Returns a list of points with other numbers. `numbers` begins with the number that comes next.
 Value with_numbers(const Value& shape, std::span<const double>& numbers) {
   if (const Value* points = shape.find("curve")) {
@@ -458,6 +466,11 @@ class KeyReader {
       if (!are_formed_alike(first, *keys[k].value)) {
         reader_.add_error(value_place, fmt::format("this key of '{}' has other points than the first key", row.name),
                           "as many points in each key, each a list of equally many numbers");
+        return std::nullopt;
+      }
+      if (!are_of_one_kind(first, *keys[k].value)) {
+        reader_.add_error(value_place, fmt::format("this key of '{}' has another kind than the first key", row.name),
+                          "one kind in all keys");
         return std::nullopt;
       }
       std::vector<double> numbers;

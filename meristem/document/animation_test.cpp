@@ -447,6 +447,8 @@ TEST(Animation, TellsWhatIsWrongWithItsKeysAndWhere) {
       {R"("links[1].angel": [[0, 1]])", "has no parameter 'angel'", "angle"},
       {R"("petal.outline[0]": [[0, 1]])", "has nothing of the name '[0]'", "outline.curve[0][1]"},
       {R"("bloom.taper": [[0, [[0, 1], [1, 1]]], [1, [[0, 1]]]])", "other points than the first key", "as many points"},
+      {R"("bloom.taper": [[0, {"curve": [[0, 1]]}], [1, {"curve": [[0, 1]], "kind": "linear"}]])",
+       "another kind than the first key", "one kind"},
       {R"("bloom.taper": [[0, "round"]])", "round", ""},
       {R"("petal.outline": [[0, [[0, 1], [1, 1]]]])", "below a sequence", ""},
       {R"("seed.x": [[0, 1]])", "'seed' cannot have keys", ""},

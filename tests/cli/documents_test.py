@@ -31,7 +31,7 @@ class Documents(cli_case.Case):
                "components": {"box": {"type": "simple", "size": ["size", "size", "free"]}}}
         self.write("box.json", json.dumps(box))
         errors = self.assert_ends(DONE, "check", "box.json")
-        self.assertIn("if size is 0, which its range allows, the value 0 is out of range for 'size'", errors)
+        self.assertIn("if size is 0, which its range allows, the expression's value 0 is out of range for 'size'", errors)
         self.assertEqual(errors.count("warning"), 1)
         self.assertEqual(self.assert_ends(DONE, "check", "box.json", "-q"), "")
         box["variables"]["size"]["min"] = 0.1
@@ -111,8 +111,8 @@ class Documents(cli_case.Case):
         self.write("far.json", tree % ("", 9000))
         self.assertIn("components.tree.roots: a root stands inside an obstacle",
                       self.assert_ends(WRONG_INPUT, "check", "walled.json"))
-        self.assertIn("warning: components.tree.iterations: growth ends in the trunk: the crown begins 8999 m from the "
-                      "root", self.assert_ends(DONE, "check", "far.json"))
+        self.assertIn("components.tree.iterations: growth ends in the trunk: the crown begins 8999 m from the root",
+                      self.assert_ends(DONE, "check", "far.json"))
 
     def test_an_expanded_training_grows_the_same_bytes(self):
         for form in ("espalier", "cordon", "fan", "spindle", "open_vase", "standard", "half_standard", "hedge"):

@@ -96,7 +96,8 @@ class Affected {
     start(graph_.links[link].to, false);
   }
 
-  /// Starts at each component and link that mentions the variable, or a variable that depends on it.
+  /// Starts at each component and link that mentions the variable, or a variable that depends on it. If the scene
+  /// mentions it, all components inherit the effect.
   void start_at_variable(const std::string& name) {
     const Value& root = document_.source.tree;
     const Names names = dependents_of(name, *root.find("variables")->object());
@@ -107,6 +108,11 @@ class Affected {
         return is_look(member.first) || !mentions(member.second, names);
       });
       start(c, are_looks);
+    }
+    const Value* scene = root.find("scene");
+    const bool is_of_scene = scene != nullptr && mentions(*scene, names);
+    for (ComponentIndex c = 0; is_of_scene && c < graph_.components.size(); ++c) {
+      if (c != graph_.structure.root) inherit(c);
     }
     const Value* links = root.find("links");
     if (links == nullptr || links->list() == nullptr) return;

@@ -19,8 +19,8 @@ enum class GraphEffect {
 /// Returns the effect of the value at `path` on each component of the document's graph. The path is the name of a
 /// variable ("age"), a component's parameter ("leaf.length", also with "components." before it), a component ("leaf")
 /// or a key of a link ("links[1].density"). A change of a component affects its descendants, components that show it,
-/// and plants that grow beside it. A change of looks affects the component alone. Throws InputError if the document has
-/// no such value.
+/// and plants that grow beside it. A change of looks affects the component alone, and a variable that the scene uses
+/// affects all components but the camera. Throws InputError if the document has no such value.
 std::vector<GraphEffect> affected_by(const Document& document, std::string_view path);
 
 }  // namespace meristem

@@ -12,7 +12,8 @@ namespace meristem::affected_test {
 /// Two trees that compete, each with its leaves, and a bench that stands apart.
 Document garden() {
   return read_document(R"json({"meristem": 1,
-    "variables": {"size": 1, "leafiness": "2*size", "shade": 0.5},
+    "variables": {"size": 1, "leafiness": "2*size", "shade": 0.5, "cloudy": 0.5},
+    "scene": {"sky": "cloudy"},
     "components": {
       "oak": {"type": "colonize", "points": 20, "crown": {"sphere": {"centre": [0, 2, 0], "radius": "size"}}},
       "elm": {"type": "colonize", "points": 20, "crown": {"sphere": {"centre": [0, 2, 0], "radius": 1}}},
@@ -55,6 +56,8 @@ TEST(AffectedBy, AVariableAffectsAllThatUseItThroughOtherVariables) {
   EXPECT_EQ(effects("variables.leafiness.value"), "---o----");
   EXPECT_EQ(effects("size"), "oiioi---");
 }
+
+TEST(AffectedBy, AVariableOfTheSceneAffectsAllPlants) { EXPECT_EQ(effects("cloudy"), "iiiiiii-"); }
 
 TEST(AffectedBy, AKeyOfALinkAffectsItsChild) { EXPECT_EQ(effects("links[1].count"), "----o---"); }
 

@@ -4,7 +4,6 @@
 #include "meristem/output/picture/lamplight.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "meristem/base/colour.h"
 #include "meristem/base/frame.h"
@@ -22,11 +21,9 @@ constexpr float kWhiteMean = 0.957F;         // mean of the channels of kWarmWhi
 /// Returns a point of a lamp with its own radius: on the disc that faces its target, or else `position`.
 Vec3 point_of(const Lamp& lamp, Vec3 position, Vec2 sample) {
   const Vec3 facing = normalized_or(lamp.target.value_or(position) - lamp.position, kUp);
-  const Vec3 across = any_perpendicular(facing);
-  const Vec3 along = glm::cross(facing, across);
-  const auto turn = static_cast<float>(2 * kPi) * sample.x;
-  const float reach = static_cast<float>(*lamp.radius) * std::sqrt(sample.y);
-  return lamp.position + reach * (std::cos(turn) * across + std::sin(turn) * along);
+  const Tangents tangents(facing);
+  const Vec2 flat = static_cast<float>(*lamp.radius) * disc_point(sample);
+  return lamp.position + flat.x * tangents.x + flat.y * tangents.z;
 }
 
 }  // namespace

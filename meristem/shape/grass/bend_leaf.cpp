@@ -50,12 +50,14 @@ GrassLeaf widened(const GrassLeaf& leaf, const std::vector<LocalWidth>& widths) 
   GrassLeaf now = leaf;
   double widest = 0;
   for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+    double factor = 1;
     for (const LocalWidth& width : widths) {
       const double u = (leaf.s[k] - width.from) / (width.to - width.from);
       if (u <= 0 || u >= 1) continue;
       const double rise = 4 * u * (1 - u);  // 1 in the middle; its square has no edge at the ends
-      now.r[k] *= 1 + (width.factor - 1) * rise * rise;
+      factor = std::min(factor * (1 + (width.factor - 1) * rise * rise), kMaxWidthFactor);
     }
+    now.r[k] *= factor;
     widest = std::max(widest, now.r[k]);
   }
   if (widest > 1) {

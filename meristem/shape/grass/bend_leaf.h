@@ -27,8 +27,8 @@ struct LocalWidth {
   double factor = 1;  ///< width in the middle, compared with the width before; at least 0
 };
 
-/// Returns the leaf with all these changes of its width, whose factors multiply. The midrib stays. Throws
-/// std::invalid_argument for positions or factors out of range.
+/// Returns the leaf with all these changes of its width. Their factors multiply, to at most 100. The midrib stays.
+/// Throws std::invalid_argument for positions or factors out of range.
 GrassLeaf widened(const GrassLeaf& leaf, const std::vector<LocalWidth>& widths);
 
 /// Returns the leaf turned as a whole about its collar, so that it leaves the stem at `angle` radians.

@@ -75,7 +75,7 @@ Json material_json(const GltfLayout& layout, const GltfMaterial& made, const Mat
   const bool has_colours = has_texture && texture->colour != GltfTexture::kNoImage;
 
   Json base = triple(made.base);
-  base.push_back(shortest(material.opacity));
+  base.push_back(material.opacity < 1 ? Json(shortest(material.opacity)) : Json(1));
   Json surface{{"baseColorFactor", std::move(base)}};
   if (has_colours) surface["baseColorTexture"] = picture(texture->colour);
   surface["metallicFactor"] = 0;

@@ -204,6 +204,7 @@ class ExpandFunction {
   requires std::is_class_v<Lambda> && requires(Lambda lambda) { +lambda; }
   ExpandFunction(Lambda lambda) : ExpandFunction(+lambda) {}  // NOLINT(google-explicit-constructor)
 
+  /// Expands one instance with these parameters at `site`.
   void operator()(const P& parameters, const Site& site, Emitter& out) const {
     call_(function_, parameters, site, out);
   }

@@ -14,10 +14,12 @@ struct ComponentBase;
 
 namespace component_member {
 
+/// Returns the value itself.
 template <class T>
 const T& held(const T& value) {
   return value;
 }
+/// Returns the value of an optional, which must have one.
 template <class T>
 const T& held(const std::optional<T>& value) {
   return *value;
@@ -41,6 +43,7 @@ class ComponentMember {
   explicit ComponentMember(const M& parameters) requires std::derived_from<M, ComponentBase>
       : ComponentMember(parameters, 0) {}
 
+  /// Returns the member's value.
   const M& value() const { return *value_; }
   /// Returns the distance from the beginning of the parameters, bytes.
   std::size_t offset() const { return offset_; }

@@ -134,7 +134,8 @@ def test_skeleton_table_has_the_rows_of_the_file(tmp_path: Path) -> None:
 
 
 # A test of the command line holds the docstring to the table of formats.
-FORMATS = re.findall(r"(\.[a-z.]*[a-z])(?=[,.])", (meristem.Plant.save.__doc__ or "").split("\n\n")[0].split("format:")[1])
+FORMATS = re.findall(r"(\.[a-z.]*[a-z])(?=[,.])",
+                     (meristem.Plant.save.__doc__ or "").split("format:")[1].split("\n\n")[0])
 
 
 @pytest.mark.parametrize("name", ["tree" + ending for ending in FORMATS])

@@ -81,7 +81,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offered("completion", "z"), ["zsh"])
         self.assertIn("oak", self.offered("grow", "oa"))
         open(os.path.join(self.folder, "oaken.json"), "w", encoding="utf-8").close()
-        self.assertEqual(sorted(self.offered("render", "oak")), ["oak", "oaken.json"])
+        self.assertEqual(sorted(self.offered("render", "oak")), ["oak", "oak-life", "oaken.json"])
         self.assertEqual(self.offered("grow", "oak", "-o", "oaken"), ["oaken.json"])
         self.assertEqual(self.offered("grow", "oak", "--seed", "oa"), [])
 

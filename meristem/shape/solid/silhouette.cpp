@@ -24,7 +24,7 @@ constexpr double kNearest = 1e-5;        // share of the silhouette's length: ne
 constexpr double kCreaseCosine = 0.766;  // cosine of 40°: lines that bend by more make a sharp edge
 constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge; below it, the direction of the
                                     // edge is used
-constexpr double kStraight = 1e-6;  // share of the silhouette's length: edges with a smaller error are not cut
+constexpr double kStraightShare = 1e-6;  // share of the silhouette's length: edges with a smaller error are not cut
 
 Point direction(Point from, Point to) { return glm::normalize(to - from); }
 
@@ -71,7 +71,7 @@ std::vector<double> sampled_places(const Spline& spline, std::size_t points, int
   };
   std::vector<Edge> edges;
   for (std::size_t k = 0; k + 1 < points; ++k) edges.push_back(edge(spline.along(k), spline.along(k + 1)));
-  const double tolerance = kStraight * spline.along(points - 1);
+  const double tolerance = kStraightShare * spline.along(points - 1);
   while (edges.size() < static_cast<std::size_t>(rings)) {
     const auto worst =
         std::max_element(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.error < b.error; });

@@ -156,8 +156,9 @@ TEST(OrganizeAmongMarkers, ARootTooFarAwayIsAFault) {
 
 /// Grows a tree in a room above its root.
 Skeleton grow_in_room(const CrownPointer& room, std::uint64_t seed, int iterations = 12) {
+  const Scene scene;  // the organizer refers to it
   Stand stand;
-  stand.add(make_organizer(stand, {{Frame(), room}}, among_markers(iterations), RandomKey(seed), Scene(), SizeLimits(),
+  stand.add(make_organizer(stand, {{Frame(), room}}, among_markers(iterations), RandomKey(seed), scene, SizeLimits(),
                            "tree"));
   return std::move(grow(stand)[0]);
 }

@@ -33,7 +33,7 @@ ROOT = Path(__file__).resolve().parents[1]
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build", "pkg-config": "pkg-config", "c++": "g++"}
 DEBIAN_PACKAGES = (
     "g++ cmake ninja-build pkg-config libglm-dev libfmt-dev nlohmann-json3-dev libtbb-dev libxxhash-dev "
-    "librandom123-dev libembree-dev libjpeg62-turbo-dev libpng-dev libturbojpeg0-dev libqhull-dev pybind11-dev "
+    "librandom123-dev libembree-dev libjpeg-dev libpng-dev libturbojpeg0-dev libqhull-dev pybind11-dev "
     "python3-dev python3-numpy"
 ).split()
 SOURCE_PARTS = (

@@ -22,8 +22,8 @@ using CornerChain = std::vector<SilhouetteCorner>;
 constexpr std::size_t kMaxPoints = 500;
 constexpr double kNearest = 1e-5;        // share of the silhouette's length: nearer points count as equal
 constexpr double kCreaseCosine = 0.766;  // cosine of 40°: lines that bend by more make a sharp edge
-constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge; below it, the direction of the
-                                    // edge is used
+constexpr double kSteepest = 0.2;  // cosine between a smooth direction and its edge; below it, the direction of the
+                                   // edge is used
 constexpr double kStraightShare = 1e-6;  // share of the silhouette's length: edges with a smaller error are not cut
 
 Point direction(Point from, Point to) { return glm::normalize(to - from); }
